@@ -8,6 +8,7 @@ use core::str::FromStr;
 use crate::event::{Finish, Outcome, Seen};
 use crate::geometry::{Heading, Point, Turn};
 use crate::maze::Maze;
+use crate::playback::{Mark, Timeline};
 use crate::settings::Pace;
 use crate::trace::{Moment, Trace};
 use crate::world::{CannotStart, Ideal, World, line_start};
@@ -95,6 +96,8 @@ pub struct Leg {
     pub cells: u32,
     /// The turn made here; none at the finish.
     pub turn: Option<Turn>,
+    /// Which letter of the list it was, from 1; none at a corner.
+    pub letter: Option<usize>,
 }
 
 /// Round 2: a drive by a turn list from the start to the finish.
@@ -153,7 +156,9 @@ impl Route {
                 }
                 Seen::Node => Some(letters.next().ok_or(Strayed::ListTooShort { at })?),
             };
-            legs.push(Leg { at, heading: world.heading(), cells: sighting.time_diff, turn: next });
+            let used = list.turns().len() - letters.len();
+            let letter = (used > letter).then_some(used);
+            legs.push(Leg { at, heading: world.heading(), cells: sighting.time_diff, turn: next, letter });
             match next {
                 Some(next) => turn = next,
                 None => {
@@ -162,6 +167,12 @@ impl Route {
                 }
             }
         }
+    }
+
+    /// The drive to a stop, from 1.
+    #[must_use]
+    pub fn leg(&self, stop: u32) -> Option<Leg> {
+        self.legs.get((stop as usize).checked_sub(1)?).copied()
     }
 
     /// Cells from start to finish.
@@ -175,5 +186,36 @@ impl Route {
     pub fn seconds(&self, cell_mm: f64, pace: &Pace) -> f64 {
         let turns = self.legs.iter().filter_map(|leg| leg.turn).map(|turn| pace.seconds(turn) + pace.stop_s);
         f64::from(self.cells()) * cell_mm / pace.speed_mm_s + turns.sum::<f64>()
+    }
+}
+
+/// Round 2 can be played; its stops are the legs. A cell takes as long as `cell_ms` says.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Drive {
+    /// What is driven.
+    pub route: Route,
+    /// Milliseconds for a cell.
+    pub cell_ms: u32,
+}
+
+impl Timeline for Drive {
+    fn stops(&self) -> u32 {
+        self.route.legs.len() as u32
+    }
+
+    fn lines(&self, _: u32) -> u8 {
+        1
+    }
+
+    fn drive_ms(&self, stop: u32) -> u32 {
+        self.route.leg(stop).map_or(0, |leg| leg.cells * self.cell_ms)
+    }
+
+    fn mark(&self, stop: u32) -> Mark {
+        match self.route.leg(stop) {
+            Some(Leg { turn: None, .. }) => Mark::End,
+            Some(Leg { letter: Some(_), .. }) => Mark::Node,
+            _ => Mark::Plain,
+        }
     }
 }

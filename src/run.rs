@@ -18,7 +18,8 @@ use crate::world::{CannotStart, Ideal, World, line_start};
 /// use line_maze_lab::event::Outcome;
 /// use line_maze_lab::maze::samples;
 /// use line_maze_lab::{run, settings::Settings};
-/// let trace = run::explore(&samples::figure_3_1(), &Settings::default())?;
+/// let maze = samples::figure_3_1();
+/// let trace = run::explore(&maze, &Settings::default())?;
 /// assert_eq!(trace.outcome(), Outcome::Finish);
 /// assert_eq!(trace.stops(), 25);
 /// # Ok::<(), line_maze_lab::world::CannotStart>(())

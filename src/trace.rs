@@ -13,6 +13,7 @@ use alloc::vec::Vec;
 use crate::event::{Finish, Outcome, Sighting};
 use crate::explorer::book::{Case, Event};
 use crate::geometry::{Heading, Turn, Ways};
+use crate::playback::{Mark, Timeline};
 use crate::settings::Pace;
 
 mod frame;
@@ -198,6 +199,32 @@ impl Trace {
             + size_of_val(self.keys.as_slice())
             + size_of_val(self.visits.starts.as_slice())
             + size_of_val(self.visits.stops.as_slice())
+    }
+}
+
+impl Timeline for Trace {
+    fn stops(&self) -> u32 {
+        self.stops()
+    }
+
+    fn lines(&self, stop: u32) -> u8 {
+        self.lines(stop)
+    }
+
+    fn drive_ms(&self, stop: u32) -> u32 {
+        self.step(stop).map_or(0, Step::time_diff)
+    }
+
+    fn mark(&self, stop: u32) -> Mark {
+        match self.step(stop).map(Step::case) {
+            _ if stop > 0 && stop == self.stops() => Mark::End,
+            None | Some(Case::Corner) => Mark::Plain,
+            Some(Case::New) => Mark::Node,
+            Some(Case::DeadEnd) => Mark::DeadEnd,
+            Some(Case::Known | Case::KnownBack) => Mark::Known,
+            Some(Case::UnknownUturn | Case::UnknownBack) => Mark::Unknown,
+            Some(Case::Finish | Case::Start | Case::TableFull) => Mark::End,
+        }
     }
 }
 
