@@ -18,6 +18,7 @@ pub mod maze;
 pub mod playback;
 pub mod route;
 pub mod run;
+pub mod scene;
 pub mod settings;
 pub mod trace;
 pub mod world;

@@ -10,6 +10,8 @@ use crate::geometry::{Heading, Ways};
 pub struct Row {
     /// Its number: the place in the table.
     pub number: u32,
+    /// The stop at which it was recorded.
+    pub met: u32,
     /// What is remembered.
     pub node: Node,
     /// The ways that were tried and given up.
@@ -53,32 +55,31 @@ impl Trace {
         let moment = frame.moment;
         let whole = moment.lines == frame.lines;
         let settled = if whole { moment.stop } else { moment.stop - 1 };
-        let mut node = self.settled(settled, m);
+        let mut kept = self.settled(settled, m);
         // In the middle of a stop, the lines that have run count on top of the stops before.
         if let Some(step) = self.step(moment.stop).filter(|_| !whole) {
             let events = script::events(step, &self.state(settled));
             for event in script::until_line(&events, moment.lines) {
                 match *event {
-                    Event::Recorded(at) if at == m => node = self.recorded(moment.stop),
+                    Event::Recorded(at) if at == m => kept = self.recorded(moment.stop),
                     Event::Visited(at, way) if at == m => {
-                        node = node.map(|node| {
+                        kept = kept.map(|(met, node)| {
                             let chosen = way == step.departure() && step.case() != Case::UnknownUturn;
                             let last_path = if chosen { Some(way) } else { node.last_path };
-                            Node { vpaths: node.vpaths.with(way), last_path, ..node }
+                            (met, Node { vpaths: node.vpaths.with(way), last_path, ..node })
                         });
                     }
                     _ => {}
                 }
             }
         }
-        let node = node.filter(|_| m > 0 && m < frame.state.ptr)?;
+        let (met, node) = kept.filter(|_| m > 0 && m < frame.state.ptr)?;
         let top = m + 1 == frame.state.ptr;
-        let kept = Ways::NONE.with(node.back_path);
         // While returning, the bot is on the way that it last took from the newest node.
-        let kept =
-            node.last_path.filter(|_| !(top && frame.state.returning)).map_or(kept, |way| kept.with(way));
-        let crossed = if node.last_path.is_some() { node.vpaths.minus(kept) } else { Ways::NONE };
-        Some(Row { number: m, node, crossed: Ways::from_bits(crossed.bits() & node.paths.bits()) })
+        let on_path = node.last_path.filter(|_| !(top && frame.state.returning));
+        let good: Ways = [node.back_path].into_iter().chain(on_path).collect();
+        let crossed = if node.last_path.is_some() { node.vpaths.minus(good) } else { Ways::NONE };
+        Some(Row { number: m, met, node, crossed: Ways::from_bits(crossed.bits() & node.paths.bits()) })
     }
 
     /// The nodes from `m` up that have unvisited ways at a moment, with those ways.
@@ -90,19 +91,19 @@ impl Trace {
         })
     }
 
-    /// The node as `record_node()` made it at a stop.
-    fn recorded(&self, stop: u32) -> Option<Node> {
+    /// A stop, and the node as `record_node()` made it there.
+    fn recorded(&self, stop: u32) -> Option<(u32, Node)> {
         let (step, state) = (self.step(stop)?, self.state(stop));
         let paths = step.sighting().ways.out_of_frame_of(step.arrival());
-        Some(Node::new(state.cur_x, state.cur_y, paths, step.arrival().opposite()))
+        Some((stop, Node::new(state.cur_x, state.cur_y, paths, step.arrival().opposite())))
     }
 
-    /// What was last remembered at place `m` when a stop was over, forgotten or not.
-    fn settled(&self, stop: u32, m: u32) -> Option<Node> {
+    /// What was last remembered at place `m` when a stop was over, forgotten or not, and since which stop.
+    fn settled(&self, stop: u32, m: u32) -> Option<(u32, Node)> {
         let visits = self.visits.until(m, stop);
         let case = |visit: u32| self.step(visit).map(|step| step.case());
         let new = visits.iter().rposition(|&visit| case(visit) == Some(Case::New))?;
-        let mut node = self.recorded(visits[new])?;
+        let (met, mut node) = self.recorded(visits[new])?;
         for step in visits[new..].iter().filter_map(|&visit| self.step(visit)) {
             match step.case() {
                 Case::New | Case::Known => {
@@ -120,6 +121,6 @@ impl Trace {
                 | Case::TableFull => {}
             }
         }
-        Some(node)
+        Some((met, node))
     }
 }
