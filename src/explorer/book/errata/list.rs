@@ -1,5 +1,7 @@
 //! The notes, in the order of the book; what is about the whole of it comes last.
 
+use super::Kind::{Open, Slip};
+use super::Place::{Figure24, Figure31, Overflow};
 use super::{Case, Erratum, Kind, Line, Place};
 
 /// A note without code.
@@ -17,11 +19,8 @@ impl Erratum {
     }
 }
 
-use Kind::{Open, Slip};
-use Place::{Figure24, Figure31, Overflow};
-
 /// All of them.
-pub const ERRATA: &[Erratum] = &[
+pub static ERRATA: &[Erratum] = &[
     note(Open, "§2.3", "Turning is not driving", &[Place::Line(Line::GET)]).says(
         "prev_time has to be taken again when the bot drives off after a turn. \
          Otherwise the time of the turn counts as distance, and every coordinate behind it is wrong.",

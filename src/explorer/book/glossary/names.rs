@@ -7,7 +7,7 @@ macro_rules! glossary {
         $($name:ident $([$($alias:literal)*])? $meaning:literal $seen:literal)*
     })*) => {
         /// Every name of the book's tables and of the pseudo-code.
-        pub const GLOSSARY: &[Entry] = &[$($(Entry {
+        pub static GLOSSARY: &[Entry] = &[$($(Entry {
             name: stringify!($name),
             aliases: &[$($($alias),*)?],
             kind: Kind::$kind,

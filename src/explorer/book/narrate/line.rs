@@ -139,7 +139,7 @@ fn closed_loop(line: Line, frame: &Frame, step: Step, before: &State) -> Said {
             said.text(" of ").node(m).text(", so that path is visited now.")
         }
         Line::IF_UNVISITED => {
-            let said = said.text("In ").nodes(m, before.ptr - 1).text(" no path is unvisited, so there is ");
+            let said = said.text("No path of ").nodes(m, before.ptr - 1).text(" is unvisited, so there is ");
             said.text("nothing to turn round for.")
         }
         Line::ELSE_LOOP => said.text("The loop that was just closed can be forgotten."),

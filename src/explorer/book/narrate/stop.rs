@@ -52,7 +52,8 @@ fn finish(nodes: u32) -> Narration {
         _ => {
             let said = said.text("What it remembers is the way here: ").nodes(1, nodes).text(", so ");
             let said = said.code("ptr").text(" is ").number(i64::from(nodes) + 1);
-            let said = said.text(". Round 2 leaves each of them by the way last chosen.");
+            let said = said.text(". Round 2 leaves ").text(if nodes == 1 { "it" } else { "each" });
+            let said = said.text(" by the way last chosen.");
             (said, short.text(" The way here: ").nodes(1, nodes).text("."))
         }
     };
@@ -106,7 +107,7 @@ fn new_node(trace: &Trace, frame: &Frame, step: Step, before: &State) -> Narrati
 fn known(trace: &Trace, frame: &Frame, step: Step) -> Narration {
     let m = step.node();
     let said = Said::default().text("The bot is back at ").node(m).text(", returning: the path to the ");
-    let said = said.heading(step.arrival().opposite()).text(" does not lead to the finish. ");
+    let said = said.heading(step.arrival().opposite()).text(" is given up. ");
     let said = chosen(said, trace, frame, step);
     let short = Said::default().text("Back at ").node(m).text(": the bot ");
     let short =
@@ -122,13 +123,7 @@ fn chosen(said: Said, trace: &Trace, frame: &Frame, step: Step) -> Said {
     if left.is_empty() {
         said.text(": its only unvisited path, so ").code("returning").text(" is false again.")
     } else {
-        let way = match turn {
-            Turn::Straight => ": straight on",
-            Turn::Right => ": right",
-            Turn::Back => ": back",
-            Turn::Left => ": left",
-        };
-        said.text(way).text(" is the first of its preference order that is unvisited.")
+        said.text(": of the unvisited paths, the first in its preference order.")
     }
 }
 
@@ -169,8 +164,7 @@ fn unknown_uturn(trace: &Trace, frame: &Frame, step: Step) -> Narration {
 fn unvisited(mut said: Said, trace: &Trace, frame: &Frame, m: u32) -> Said {
     let rows = (m..frame.state.ptr).take(SCANNED as usize);
     let open = rows.filter_map(|m| Some((m, trace.row(frame.moment, m)?.node.unvisited())));
-    let mut ways =
-        open.flat_map(|(m, ways)| ways.iter().map(move |way| (m, way)).collect::<alloc::vec::Vec<_>>());
+    let mut ways = open.flat_map(|(m, ways)| ways.iter().map(move |way| (m, way)));
     let Some((node, way)) = ways.next() else {
         return said;
     };
@@ -185,8 +179,9 @@ fn unvisited(mut said: Said, trace: &Trace, frame: &Frame, m: u32) -> Said {
 fn unknown_back(step: Step, before: &State) -> Narration {
     let (m, last) = (step.node(), before.ptr - 1);
     let turn = step.turn().unwrap_or(Turn::Straight);
-    let said = Said::default().text("The bot met ").node(m).text(" again by a path it had never taken. In ");
-    let said = said.nodes(m, last).text(" no path is unvisited, so this loop is ").strong("forgotten");
+    let said =
+        Said::default().text("The bot met ").node(m).text(" again by a path it had never taken. No path of ");
+    let said = said.nodes(m, last).text(" is unvisited, so this loop is ").strong("forgotten");
     let said = said.text(". It ").turn(turn, step.departure()).text(": the back path, so ");
     let said = said.code("returning").text(" is true.");
     let short =
