@@ -9,7 +9,9 @@ use alloc::vec::Vec;
 use crate::geometry::{Heading, Point, Ways};
 
 mod bounds;
+mod polyline;
 mod scale;
+pub mod text;
 
 pub use bounds::{Bounds, BoundsError, MAX_COORDINATE, MAX_SIDE};
 pub use scale::{Scale, ScaleError};
