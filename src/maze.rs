@@ -9,6 +9,8 @@ use alloc::vec::Vec;
 use crate::geometry::{Heading, Point, Ways};
 
 mod bounds;
+pub mod file;
+pub mod json;
 mod polyline;
 mod scale;
 pub mod text;

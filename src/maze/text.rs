@@ -63,18 +63,22 @@ const BODY: &str = "a drawing, or “lines:” and a list of polylines,";
 /// Writes a maze file with a drawing or with a list of polylines, whichever is smaller.
 #[must_use]
 pub fn write(maze: &Maze) -> String {
-    let list = list::write(maze);
-    let pitch = [Pitch::WIDE, Pitch::NARROW].into_iter().find(|pitch| pitch.size(maze.bounds()) < list.len());
-    match pitch.map(|pitch| (pitch, drawing::write(maze, pitch))) {
-        Some((pitch, drawing)) => with_header(maze, &drawing::keys(maze, pitch), &drawing),
-        None => with_header(maze, &list::keys(maze), &list),
-    }
+    let list = with_header(maze, &list::keys(maze), &list::write(maze));
+    let wide = (maze.bounds().width() <= SCREEN).then_some(Pitch::WIDE);
+    let drawings = wide.into_iter().chain([Pitch::NARROW]).map(|pitch| drawn(maze, pitch));
+    drawings.into_iter().find(|drawing| drawing.len() < list.len()).unwrap_or(list)
 }
 
 /// Writes a maze file with a drawing, even where a list of polylines would be smaller: for people.
 #[must_use]
 pub fn write_drawing(maze: &Maze) -> String {
-    let pitch = if maze.bounds().width() <= 40 { Pitch::WIDE } else { Pitch::NARROW };
+    drawn(maze, if maze.bounds().width() <= SCREEN { Pitch::WIDE } else { Pitch::NARROW })
+}
+
+/// Points side by side that a screen shows at four columns of text for a cell.
+const SCREEN: u32 = 40;
+
+fn drawn(maze: &Maze, pitch: Pitch) -> String {
     with_header(maze, &drawing::keys(maze, pitch), &drawing::write(maze, pitch))
 }
 
