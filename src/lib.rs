@@ -1,9 +1,24 @@
 //! Line Maze Lab: line mazes, the robot that explores them without a map, and what it thinks at every stop.
+//!
+//! In reading order: [`geometry`] and [`event`] are the words that everything speaks; [`maze`] is what is
+//! drawn; [`world`] lets a robot drive in it; an [`explorer`] is a robot's mind; [`run`] brings them together
+//! and writes a [`trace`]; [`ink`] and [`route`] say what that means on the floor; [`playback`]
+//! moves through it in time.
 #![no_std]
 
 extern crate alloc;
 #[cfg(any(test, feature = "cli", feature = "web"))]
 extern crate std;
 
+pub mod event;
+pub mod explorer;
 pub mod geometry;
+pub mod ink;
 pub mod maze;
+pub mod playback;
+pub mod route;
+pub mod run;
+pub mod scene;
+pub mod settings;
+pub mod trace;
+pub mod world;

@@ -1,0 +1,143 @@
+//! The narrow waist: what a robot senses at a stop, what it decides, and how a run can end.
+//!
+//! An explorer sees [`Sighting`]s and nothing else; whether they come from a simulated world or from a real
+//! robot on a serial line makes no difference to it.
+
+use core::fmt;
+
+use crate::geometry::{Heading, Turn, Ways};
+
+/// What a robot knows when it stops: the ways that it sees, whether this is the finish, and how long it drove.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Sighting {
+    /// Relative to the robot: `North` of this set is ahead, `South` is the line that it came along.
+    pub ways: Ways,
+    /// Whether the robot stands on the finish.
+    pub finish: Finish,
+    /// Milliseconds of driving since the last stop (the book's `time_diff`).
+    pub time_diff: u32,
+}
+
+/// Whether a place is (part of) the finish.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Finish {
+    /// Some other place.
+    No,
+    /// The finish.
+    Yes,
+}
+
+/// What a stop looks like, seen from the line that the robot came along.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Seen {
+    /// The finish, whatever its ways.
+    Finish,
+    /// No way but back.
+    DeadEnd,
+    /// One way to the left or right.
+    Corner,
+    /// One way ahead: no line robot stops here.
+    Straight,
+    /// Two or three ways on: a decision (book §2.4.1).
+    Node,
+}
+
+impl Sighting {
+    /// Whether there is a way in this direction.
+    #[must_use]
+    pub const fn sees(self, turn: Turn) -> bool {
+        self.ways.has(Heading::North.turned(turn))
+    }
+
+    /// The kind of place.
+    #[must_use]
+    pub const fn seen(self) -> Seen {
+        let onward = self.ways.without(Heading::South);
+        match (self.finish, onward.count()) {
+            (Finish::Yes, _) => Seen::Finish,
+            (Finish::No, 0) => Seen::DeadEnd,
+            (Finish::No, 1) if onward.has(Heading::North) => Seen::Straight,
+            (Finish::No, 1) => Seen::Corner,
+            (Finish::No, _) => Seen::Node,
+        }
+    }
+}
+
+impl Seen {
+    /// As the trace report names it.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Finish => "finish",
+            Self::DeadEnd => "dead-end",
+            Self::Corner => "corner",
+            Self::Straight => "straight",
+            Self::Node => "node",
+        }
+    }
+}
+
+/// What a robot does after a stop.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Decision {
+    /// Turn, then follow the line to the next stop.
+    Go(Turn),
+    /// Stay: the run is over.
+    End(Outcome),
+}
+
+/// How a run ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Outcome {
+    /// The robot stands on the finish.
+    Finish,
+    /// Every line was driven; none led to the finish.
+    NoFinishReachable,
+    /// One node more than the robot can remember at once.
+    TableFull {
+        /// How many it can remember.
+        capacity: u32,
+    },
+    /// The robot turned where there is no line: its coordinates must be wrong.
+    NoLine {
+        /// The node that it took the place for; 0 if none.
+        node: u32,
+        /// Where it wanted to go, in its own frame.
+        heading: Heading,
+    },
+    /// The driver gave up: no sound exploration of this maze takes so many stops.
+    TooManyStops {
+        /// How many stops were allowed.
+        limit: u32,
+    },
+}
+
+impl Outcome {
+    /// As the reports name it.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Finish => "finish",
+            Self::NoFinishReachable => "no-finish-reachable",
+            Self::TableFull { .. } => "table-full",
+            Self::NoLine { .. } | Self::TooManyStops { .. } => "lost",
+        }
+    }
+}
+
+impl fmt::Display for Outcome {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::Finish => write!(f, "finish reached"),
+            Self::NoFinishReachable => write!(f, "no finish reachable: every line was driven"),
+            Self::TableFull { capacity } => write!(f, "node table full ({capacity})"),
+            Self::NoLine { node: 0, heading } => {
+                write!(f, "lost: there is no line {} ({})", heading.word(), heading.index())
+            }
+            Self::NoLine { node, heading } => {
+                write!(f, "lost at node {node}: there is no line {} ({})", heading.word(), heading.index())
+            }
+            Self::TooManyStops { limit } => write!(f, "lost: still driving after {limit} stops"),
+        }
+    }
+}
