@@ -12,6 +12,7 @@ mod bounds;
 pub mod file;
 pub mod json;
 mod polyline;
+pub mod samples;
 mod scale;
 pub mod text;
 
