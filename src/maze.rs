@@ -5,14 +5,18 @@
 use alloc::string::String;
 use alloc::vec;
 use alloc::vec::Vec;
-use core::fmt;
 
 use crate::geometry::{Heading, Point, Ways};
 
-/// The most lattice points along one side of a maze.
-pub const MAX_SIDE: u32 = 1000;
-/// Lattice coordinates stay within this distance of the origin.
-pub const MAX_COORDINATE: i32 = 1_000_000;
+mod bounds;
+pub mod file;
+pub mod json;
+mod polyline;
+mod scale;
+pub mod text;
+
+pub use bounds::{Bounds, BoundsError, MAX_COORDINATE, MAX_SIDE};
+pub use scale::{Scale, ScaleError};
 
 /// How a maze is drawn. The lattice underneath is the same: an open side between two squares of a walled
 /// maze is a line between two points.
@@ -23,140 +27,6 @@ pub enum Kind {
     Line,
     /// Squares with walls between them.
     Wall,
-}
-
-/// The lattice's corners, both included.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Bounds {
-    sw: Point,
-    ne: Point,
-}
-
-/// Why a lattice cannot have these corners.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum BoundsError {
-    /// The north-east corner is south or west of the south-west corner.
-    Reversed,
-    /// More than [`MAX_SIDE`] points along a side.
-    TooLarge,
-    /// A corner is further than [`MAX_COORDINATE`] from the origin.
-    TooFar,
-}
-
-impl fmt::Display for BoundsError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Reversed => write!(f, "bounds go from the south-west to the north-east corner"),
-            Self::TooLarge => write!(f, "a maze has at most {MAX_SIDE} × {MAX_SIDE} points"),
-            Self::TooFar => write!(f, "coordinates go from −{MAX_COORDINATE} to {MAX_COORDINATE}"),
-        }
-    }
-}
-
-impl core::error::Error for BoundsError {}
-
-impl Bounds {
-    /// The lattice from its south-west to its north-east corner.
-    ///
-    /// # Errors
-    /// Where the corners are swapped, too far from the origin, or more than [`MAX_SIDE`] points apart.
-    pub const fn new(sw: Point, ne: Point) -> Result<Self, BoundsError> {
-        const fn far(p: Point) -> bool {
-            p.x.unsigned_abs() > MAX_COORDINATE as u32 || p.y.unsigned_abs() > MAX_COORDINATE as u32
-        }
-        if far(sw) || far(ne) {
-            Err(BoundsError::TooFar)
-        } else if ne.x < sw.x || ne.y < sw.y {
-            Err(BoundsError::Reversed)
-        } else if ne.x.abs_diff(sw.x) >= MAX_SIDE || ne.y.abs_diff(sw.y) >= MAX_SIDE {
-            Err(BoundsError::TooLarge)
-        } else {
-            Ok(Self { sw, ne })
-        }
-    }
-
-    /// The smallest lattice that holds all the points.
-    ///
-    /// # Errors
-    /// As [`Bounds::new`]; `Reversed` where there is no point at all.
-    pub fn around(points: impl IntoIterator<Item = Point>) -> Result<Self, BoundsError> {
-        let mut points = points.into_iter();
-        let first = points.next().ok_or(BoundsError::Reversed)?;
-        let (sw, ne) = points.fold((first, first), |(sw, ne), p| {
-            (Point::new(sw.x.min(p.x), sw.y.min(p.y)), Point::new(ne.x.max(p.x), ne.y.max(p.y)))
-        });
-        Self::new(sw, ne)
-    }
-
-    /// The south-west corner.
-    #[must_use]
-    pub const fn sw(self) -> Point {
-        self.sw
-    }
-
-    /// The north-east corner.
-    #[must_use]
-    pub const fn ne(self) -> Point {
-        self.ne
-    }
-
-    /// Points from west to east, at least 1.
-    #[must_use]
-    pub const fn width(self) -> u32 {
-        self.ne.x.abs_diff(self.sw.x) + 1
-    }
-
-    /// Points from south to north, at least 1.
-    #[must_use]
-    pub const fn height(self) -> u32 {
-        self.ne.y.abs_diff(self.sw.y) + 1
-    }
-
-    /// Whether the point is on this lattice.
-    #[must_use]
-    pub const fn contains(self, p: Point) -> bool {
-        self.sw.x <= p.x && p.x <= self.ne.x && self.sw.y <= p.y && p.y <= self.ne.y
-    }
-
-    /// The nearest point of this lattice.
-    #[must_use]
-    pub fn clamp(self, p: Point) -> Point {
-        Point::new(p.x.clamp(self.sw.x, self.ne.x), p.y.clamp(self.sw.y, self.ne.y))
-    }
-
-    /// How many points.
-    #[must_use]
-    pub const fn len(self) -> usize {
-        self.width() as usize * self.height() as usize
-    }
-
-    /// Never: a lattice has at least one point.
-    #[must_use]
-    pub const fn is_empty(self) -> bool {
-        false
-    }
-
-    /// The place of a point in row order from the south-west corner.
-    #[must_use]
-    pub const fn index(self, p: Point) -> Option<usize> {
-        if self.contains(p) {
-            Some(p.y.abs_diff(self.sw.y) as usize * self.width() as usize + p.x.abs_diff(self.sw.x) as usize)
-        } else {
-            None
-        }
-    }
-
-    /// The inverse of [`Bounds::index`].
-    #[must_use]
-    pub const fn point(self, index: usize) -> Point {
-        let width = self.width() as usize;
-        Point::new(self.sw.x + (index % width) as i32, self.sw.y + (index / width) as i32)
-    }
-
-    /// Every point, row by row from the south-west corner.
-    pub fn points(self) -> impl Iterator<Item = Point> {
-        (0..self.len()).map(move |index| self.point(index))
-    }
 }
 
 /// Where the robot is put down, and the drawing's heading that it faces.
@@ -179,67 +49,6 @@ pub struct About {
     pub note: String,
 }
 
-/// Sizes on the floor, in millimetres.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Scale {
-    cell_mm: f64,
-    line_mm: f64,
-}
-
-/// Why sizes on the floor make no sense.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ScaleError {
-    /// `cell_mm` is not between 1 and 10,000.
-    Cell,
-    /// `line_mm` is not between 0.1 and `cell_mm`.
-    Line,
-}
-
-impl fmt::Display for ScaleError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Cell => write!(f, "a cell is 1 to 10000 mm long"),
-            Self::Line => write!(f, "a line is at least 0.1 mm wide, and narrower than a cell is long"),
-        }
-    }
-}
-
-impl core::error::Error for ScaleError {}
-
-impl Scale {
-    /// A cell's length and a line's width.
-    ///
-    /// # Errors
-    /// Where one of them is out of its range.
-    pub fn new(cell_mm: f64, line_mm: f64) -> Result<Self, ScaleError> {
-        if !(1.0..=10_000.0).contains(&cell_mm) {
-            Err(ScaleError::Cell)
-        } else if !(0.1..=cell_mm).contains(&line_mm) {
-            Err(ScaleError::Line)
-        } else {
-            Ok(Self { cell_mm, line_mm })
-        }
-    }
-
-    /// Length of one cell, 1 to 10,000 mm.
-    #[must_use]
-    pub const fn cell_mm(self) -> f64 {
-        self.cell_mm
-    }
-
-    /// Width of the line, 0.1 mm to a cell.
-    #[must_use]
-    pub const fn line_mm(self) -> f64 {
-        self.line_mm
-    }
-}
-
-impl Default for Scale {
-    fn default() -> Self {
-        Self { cell_mm: 200.0, line_mm: 20.0 }
-    }
-}
-
 /// A line maze on a lattice. Lines never leave the bounds; start and finish points are on the lattice.
 ///
 /// ```
@@ -251,7 +60,7 @@ impl Default for Scale {
 /// assert_eq!(maze.cells(), 1);
 /// # Ok::<(), line_maze_lab::maze::BoundsError>(())
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Maze {
     /// Title, source and teaching note.
     pub about: About,

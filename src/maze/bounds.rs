@@ -1,0 +1,144 @@
+//! The lattice that a maze lies on: its corners, and how its points are numbered.
+
+use core::fmt;
+
+use crate::geometry::Point;
+
+/// The most lattice points along one side of a maze.
+pub const MAX_SIDE: u32 = 1000;
+/// Lattice coordinates stay within this distance of the origin.
+pub const MAX_COORDINATE: i32 = 1_000_000;
+
+/// The lattice's corners, both included.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Bounds {
+    sw: Point,
+    ne: Point,
+}
+
+/// Why a lattice cannot have these corners.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BoundsError {
+    /// The north-east corner is south or west of the south-west corner.
+    Reversed,
+    /// More than [`MAX_SIDE`] points along a side.
+    TooLarge,
+    /// A corner is further than [`MAX_COORDINATE`] from the origin.
+    TooFar,
+}
+
+impl fmt::Display for BoundsError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Reversed => write!(f, "bounds go from the south-west to the north-east corner"),
+            Self::TooLarge => write!(f, "a maze has at most {MAX_SIDE} × {MAX_SIDE} points"),
+            Self::TooFar => write!(f, "coordinates go from −{MAX_COORDINATE} to {MAX_COORDINATE}"),
+        }
+    }
+}
+
+impl core::error::Error for BoundsError {}
+
+impl Bounds {
+    /// The lattice from its south-west to its north-east corner.
+    ///
+    /// # Errors
+    /// Where the corners are swapped, too far from the origin, or more than [`MAX_SIDE`] points apart.
+    pub const fn new(sw: Point, ne: Point) -> Result<Self, BoundsError> {
+        const fn far(p: Point) -> bool {
+            p.x.unsigned_abs() > MAX_COORDINATE as u32 || p.y.unsigned_abs() > MAX_COORDINATE as u32
+        }
+        if far(sw) || far(ne) {
+            Err(BoundsError::TooFar)
+        } else if ne.x < sw.x || ne.y < sw.y {
+            Err(BoundsError::Reversed)
+        } else if ne.x.abs_diff(sw.x) >= MAX_SIDE || ne.y.abs_diff(sw.y) >= MAX_SIDE {
+            Err(BoundsError::TooLarge)
+        } else {
+            Ok(Self { sw, ne })
+        }
+    }
+
+    /// The smallest lattice that holds all the points.
+    ///
+    /// # Errors
+    /// As [`Bounds::new`]; `Reversed` where there is no point at all.
+    pub fn around(points: impl IntoIterator<Item = Point>) -> Result<Self, BoundsError> {
+        let mut points = points.into_iter();
+        let first = points.next().ok_or(BoundsError::Reversed)?;
+        let (sw, ne) = points.fold((first, first), |(sw, ne), p| {
+            (Point::new(sw.x.min(p.x), sw.y.min(p.y)), Point::new(ne.x.max(p.x), ne.y.max(p.y)))
+        });
+        Self::new(sw, ne)
+    }
+
+    /// The south-west corner.
+    #[must_use]
+    pub const fn sw(self) -> Point {
+        self.sw
+    }
+
+    /// The north-east corner.
+    #[must_use]
+    pub const fn ne(self) -> Point {
+        self.ne
+    }
+
+    /// Points from west to east, at least 1.
+    #[must_use]
+    pub const fn width(self) -> u32 {
+        self.ne.x.abs_diff(self.sw.x) + 1
+    }
+
+    /// Points from south to north, at least 1.
+    #[must_use]
+    pub const fn height(self) -> u32 {
+        self.ne.y.abs_diff(self.sw.y) + 1
+    }
+
+    /// Whether the point is on this lattice.
+    #[must_use]
+    pub const fn contains(self, p: Point) -> bool {
+        self.sw.x <= p.x && p.x <= self.ne.x && self.sw.y <= p.y && p.y <= self.ne.y
+    }
+
+    /// The nearest point of this lattice.
+    #[must_use]
+    pub fn clamp(self, p: Point) -> Point {
+        Point::new(p.x.clamp(self.sw.x, self.ne.x), p.y.clamp(self.sw.y, self.ne.y))
+    }
+
+    /// How many points.
+    #[must_use]
+    pub const fn len(self) -> usize {
+        self.width() as usize * self.height() as usize
+    }
+
+    /// Never: a lattice has at least one point.
+    #[must_use]
+    pub const fn is_empty(self) -> bool {
+        false
+    }
+
+    /// The place of a point in row order from the south-west corner.
+    #[must_use]
+    pub const fn index(self, p: Point) -> Option<usize> {
+        if self.contains(p) {
+            Some(p.y.abs_diff(self.sw.y) as usize * self.width() as usize + p.x.abs_diff(self.sw.x) as usize)
+        } else {
+            None
+        }
+    }
+
+    /// The inverse of [`Bounds::index`].
+    #[must_use]
+    pub const fn point(self, index: usize) -> Point {
+        let width = self.width() as usize;
+        Point::new(self.sw.x + (index % width) as i32, self.sw.y + (index / width) as i32)
+    }
+
+    /// Every point, row by row from the south-west corner.
+    pub fn points(self) -> impl Iterator<Item = Point> {
+        (0..self.len()).map(move |index| self.point(index))
+    }
+}
