@@ -8,7 +8,7 @@ use std::collections::BTreeSet;
 use line_maze_lab::event::Outcome;
 use line_maze_lab::geometry::{Heading, Point};
 use line_maze_lab::maze::samples::{self, SAMPLES};
-use line_maze_lab::maze::{Maze, file, json, text};
+use line_maze_lab::maze::{Maze, checks, file, json, text};
 use line_maze_lab::route::{Route, TurnList, best};
 use line_maze_lab::run::explore;
 use line_maze_lab::settings::{Order, Preference, Settings};
@@ -148,5 +148,16 @@ fn every_sample_can_be_read_and_says_what_it_is() {
 fn files_are_as_the_program_would_draw_them() {
     for sample in SAMPLES {
         assert_eq!(text::write_drawing(&sample.maze()), sample.text, "{}", sample.file);
+    }
+}
+
+#[test]
+fn no_sample_has_a_finding_that_it_does_not_teach() {
+    for sample in SAMPLES {
+        let titles: Vec<_> = checks::check(&sample.maze()).iter().map(checks::Finding::title).collect();
+        match sample.file {
+            "no-finish-reachable" => assert_eq!(titles, ["Finish can’t be reached", "Lines apart from the rest"]),
+            file => assert!(titles.is_empty(), "{file}: {titles:?}"),
+        }
     }
 }
