@@ -11,6 +11,7 @@ use line_maze_lab::maze::samples::{self, SAMPLES};
 use line_maze_lab::maze::{Maze, checks, file, json, text};
 use line_maze_lab::route::{Route, TurnList, best};
 use line_maze_lab::run::explore;
+use line_maze_lab::settings::Pace;
 use line_maze_lab::settings::{Order, Preference, Settings};
 use line_maze_lab::trace::Trace;
 
@@ -101,7 +102,7 @@ fn same_lines(maze: &Maze, mut data: Maze) {
 }
 
 fn shortest(maze: &Maze) -> Option<u32> {
-    best::shortest_cells(maze, maze.start().unwrap().at)
+    best::shortest(maze, maze.start()?, &Pace::default()).map(|best| best.cells)
 }
 
 fn points_with(maze: &Maze, ways: u32) -> Vec<Point> {
@@ -156,7 +157,9 @@ fn no_sample_has_a_finding_that_it_does_not_teach() {
     for sample in SAMPLES {
         let titles: Vec<_> = checks::check(&sample.maze()).iter().map(checks::Finding::title).collect();
         match sample.file {
-            "no-finish-reachable" => assert_eq!(titles, ["Finish can’t be reached", "Lines apart from the rest"]),
+            "no-finish-reachable" => {
+                assert_eq!(titles, ["Finish can’t be reached", "Lines apart from the rest"])
+            }
             file => assert!(titles.is_empty(), "{file}: {titles:?}"),
         }
     }

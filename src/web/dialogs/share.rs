@@ -43,7 +43,11 @@ fn Link(link: String) -> impl IntoView {
     let to_copy = link.clone();
     let copied = move |ok: bool| match ok {
         true => lab.say(ToastTone::Info, "", "The link is copied."),
-        false => lab.say(ToastTone::Error, "Can’t copy", "This browser gives no access to the clipboard: select the link and copy it by hand."),
+        false => lab.say(
+            ToastTone::Error,
+            "Can’t copy",
+            "This browser gives no access to the clipboard: select the link and copy it by hand.",
+        ),
     };
     view! {
         <p>"Whoever opens this link sees this maze, these settings and this stop. Nothing is sent anywhere: the link holds it all."</p>

@@ -60,7 +60,8 @@ fn token(token: Token<'static>) -> impl IntoView {
         Token::Text(text) => text.into_any(),
         Token::Name(text, entry) => {
             let name = entry.name;
-            view! { <button class="name" tabindex="-1" on:click=move |_| look_up(lab, name)>{text}</button> }.into_any()
+            view! { <button class="name" tabindex="-1" on:click=move |_| look_up(lab, name)>{text}</button> }
+                .into_any()
         }
     }
 }

@@ -67,7 +67,9 @@ fn piece(span: Span) -> impl IntoView {
         Span::Text(text) => text.into_owned().into_any(),
         Span::Strong(text) => view! { <b>{text.into_owned()}</b> }.into_any(),
         Span::Code(text) => view! { <code>{text.into_owned()}</code> }.into_any(),
-        Span::Way { node, heading } => view! { <span class="mono">{format!("{node}·{heading}")}</span> }.into_any(),
+        Span::Way { node, heading } => {
+            view! { <span class="mono">{format!("{node}·{heading}")}</span> }.into_any()
+        }
         Span::Node(node) => view! {
             <button
                 class="noderef"
@@ -123,7 +125,8 @@ pub fn NowCard() -> impl IntoView {
     let lab = lab();
     let playing_fast = move || lab.playing().with(|playback| playback.is_playing() && playback.speed() > 2.0);
     let at_finish = Memo::new(move |_| {
-        lab.round.get() == Round::Explore && lab.frame.with(|frame| frame.as_ref().is_some_and(|f| f.outcome.is_some()))
+        lab.round.get() == Round::Explore
+            && lab.frame.with(|frame| frame.as_ref().is_some_and(|f| f.outcome.is_some()))
     });
     view! {
         <section class="card" aria-labelledby="now-title">
@@ -145,7 +148,9 @@ fn Errata() -> impl IntoView {
         lab.run.with(|run| {
             let Ok(run) = run else { return Vec::new() };
             lab.frame.with(|frame| {
-                frame.as_ref().map_or_else(Vec::new, |frame| errata::at(frame, run.walk).map(Noted).collect::<Vec<_>>())
+                frame
+                    .as_ref()
+                    .map_or_else(Vec::new, |frame| errata::at(frame, run.walk).map(Noted).collect::<Vec<_>>())
             })
         })
     });
@@ -174,11 +179,13 @@ impl PartialEq for Noted {
 /// One note.
 #[component]
 pub fn ErratumNote(erratum: &'static Erratum) -> impl IntoView {
-    let slip = |printed: &'static str, meant: &'static str| view! {
-        <dl class="slip">
-            <div><dt>"printed"</dt><dd><del>{printed}</del></dd></div>
-            <div><dt>"meant"</dt><dd><ins>{meant}</ins></dd></div>
-        </dl>
+    let slip = |printed: &'static str, meant: &'static str| {
+        view! {
+            <dl class="slip">
+                <div><dt>"printed"</dt><dd><del>{printed}</del></dd></div>
+                <div><dt>"meant"</dt><dd><ins>{meant}</ins></dd></div>
+            </dl>
+        }
     };
     view! {
         <div class="note errata">
@@ -220,7 +227,11 @@ fn first(frame: &Frame) -> Vec<Var> {
 fn further(frame: &Frame) -> Vec<Var> {
     let seen = frame.sighting;
     let sees = |turn: Turn| seen.is_some_and(|seen| seen.sees(turn));
-    let kind = |name, wanted| Var { name, value: seen.is_some_and(|s| s.seen() == wanted).to_string(), changed: false };
+    let kind = |name, wanted| Var {
+        name,
+        value: seen.is_some_and(|s| s.seen() == wanted).to_string(),
+        changed: false,
+    };
     let path = |name, turn| Var { name, value: sees(turn).to_string(), changed: false };
     use crate::event::Seen;
     vec![
@@ -241,7 +252,12 @@ fn further(frame: &Frame) -> Vec<Var> {
 fn Variables() -> impl IntoView {
     let lab = lab();
     let chips = move |of: fn(&Frame) -> Vec<Var>| {
-        lab.frame.with(|frame| frame.as_ref().map(of)).unwrap_or_default().into_iter().map(chip).collect_view()
+        lab.frame
+            .with(|frame| frame.as_ref().map(of))
+            .unwrap_or_default()
+            .into_iter()
+            .map(chip)
+            .collect_view()
     };
     view! {
         <div class="vars" aria-label="Variables" role="group">{move || chips(first)}</div>

@@ -118,12 +118,14 @@ fn Defs() -> impl IntoView {
 #[component]
 fn Floor() -> impl IntoView {
     let lab = lab();
-    let rect = move || lab.maze.with(|maze| {
+    let rect = move || {
+        lab.maze.with(|maze| {
         let bounds = maze.bounds();
         let at = |v: i32| v * UNIT;
         let (w, h) = (bounds.width() as i32 * UNIT, bounds.height() as i32 * UNIT);
         view! { <rect x=at(bounds.sw().x) - UNIT / 2 y=-at(bounds.ne().y) - UNIT / 2 width=w height=h fill="url(#dots)" /> }
-    });
+    })
+    };
     move || (!lab.robots_eye.get()).then(rect)
 }
 
@@ -184,7 +186,8 @@ fn Driving() -> impl IntoView {
         with_run(lab, |run| {
             let pose = scene::pose(&run.trace, &run.ink, stop, along);
             let (from, unit) = (run.ink.place(stop), f64::from(UNIT));
-            let data = format!("M{} {}L{:.1} {:.1}", from.x * UNIT, -from.y * UNIT, pose.x * unit, -pose.y * unit);
+            let data =
+                format!("M{} {}L{:.1} {:.1}", from.x * UNIT, -from.y * UNIT, pose.x * unit, -pose.y * unit);
             (data, run.trace.state(stop).returning)
         })
     });
@@ -227,7 +230,8 @@ fn pose(lab: Lab) -> Pose {
 fn Ends(camera: Camera) -> impl IntoView {
     let lab = lab();
     let known = move |at: Point| {
-        !lab.robots_eye.get() || with_run(lab, |run| run.solved() && run.ink.place(lab.moment.get().stop) == at)
+        !lab.robots_eye.get()
+            || with_run(lab, |run| run.solved() && run.ink.place(lab.moment.get().stop) == at)
     };
     move || {
         let pixel = camera.pixel();
@@ -287,6 +291,9 @@ fn describe(lab: Lab, stop: u32) -> String {
     with_run(lab, |run| {
         let at = run.ink.place(stop);
         let crossed = run.ink.crossed_cells(stop);
-        format!("Maze at stop {stop} of {}: the bot is at {at}; {crossed} cells are crossed out", run.trace.stops())
+        format!(
+            "Maze at stop {stop} of {}: the bot is at {at}; {crossed} cells are crossed out",
+            run.trace.stops()
+        )
     })
 }

@@ -117,7 +117,8 @@ fn NodeRow(number: u32) -> impl IntoView {
     let row = Memo::new(move |_| {
         lab.run.with(|run| run.as_ref().ok().and_then(|run| run.trace.row(lab.moment.get(), number)))
     });
-    let frame = move |of: fn(&crate::trace::Frame) -> u32| lab.frame.with(|frame| frame.as_ref().map_or(0, of));
+    let frame =
+        move |of: fn(&crate::trace::Frame) -> u32| lab.frame.with(|frame| frame.as_ref().map_or(0, of));
     let here = move || frame(|frame| frame.node) == number;
     let top = move || frame(|frame| frame.state.ptr) == number + 1;
     let way = move |heading: Heading| {
