@@ -9,9 +9,12 @@ use alloc::vec::Vec;
 use crate::geometry::{Heading, Point, Ways};
 
 mod bounds;
+pub mod checks;
+pub mod edit;
 pub mod file;
 pub mod json;
 mod polyline;
+pub mod samples;
 mod scale;
 pub mod text;
 

@@ -9,8 +9,8 @@ pub const MAX_SIDE: u32 = 1000;
 /// Lattice coordinates stay within this distance of the origin.
 pub const MAX_COORDINATE: i32 = 1_000_000;
 
-/// The lattice's corners, both included.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// The lattice's corners, both included; by default both are the origin.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Bounds {
     sw: Point,
     ne: Point,
