@@ -12,6 +12,7 @@ mod bounds;
 pub mod checks;
 pub mod edit;
 pub mod file;
+pub mod generate;
 pub mod json;
 mod polyline;
 pub mod samples;
