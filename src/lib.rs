@@ -20,5 +20,6 @@ pub mod route;
 pub mod run;
 pub mod scene;
 pub mod settings;
+pub mod share;
 pub mod trace;
 pub mod world;

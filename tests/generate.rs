@@ -62,12 +62,20 @@ fn this_maze_comes_from_this_seed_on_every_machine() {
         +---+---+   .   +---+   .   +---+
         |                   |       |   |
         ^   .   .   .   .   +   F---+---+
-    "#]].assert_eq(&text::write_drawing(&maze));
+    "#]]
+    .assert_eq(&text::write_drawing(&maze));
 }
 
 #[test]
 fn shares_do_what_they_say() {
-    let recipe = Recipe { width: 30, height: 20, loops_percent: 0, dead_ends_cut_percent: 0, seed: 7, kind: Kind::Line };
+    let recipe = Recipe {
+        width: 30,
+        height: 20,
+        loops_percent: 0,
+        dead_ends_cut_percent: 0,
+        seed: 7,
+        kind: Kind::Line,
+    };
     let tree = generate(&recipe).unwrap();
     // 30 × 20 points: 1,150 links, of which the tree takes 599 and one is kept off the start.
     let half = generate(&Recipe { loops_percent: 50, ..recipe }).unwrap();
@@ -105,6 +113,11 @@ fn the_largest_maze_is_made_checked_written_and_read_in_a_moment() {
     let read = began.elapsed();
     let json = line_maze_lab::maze::json::write(&maze);
     assert!(line_maze_lab::maze::json::parse(&json).unwrap() == maze);
-    println!("made {made:?}, checked {checked:?}, written {wrote:?} ({} bytes), read {read:?}, JSON {:?} ({} bytes)", written.len(), began.elapsed(), json.len());
+    println!(
+        "made {made:?}, checked {checked:?}, written {wrote:?} ({} bytes), read {read:?}, JSON {:?} ({} bytes)",
+        written.len(),
+        began.elapsed(),
+        json.len()
+    );
     assert!(began.elapsed().as_secs() < 20, "even on a slow machine");
 }

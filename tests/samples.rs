@@ -156,7 +156,9 @@ fn no_sample_has_a_finding_that_it_does_not_teach() {
     for sample in SAMPLES {
         let titles: Vec<_> = checks::check(&sample.maze()).iter().map(checks::Finding::title).collect();
         match sample.file {
-            "no-finish-reachable" => assert_eq!(titles, ["Finish can’t be reached", "Lines apart from the rest"]),
+            "no-finish-reachable" => {
+                assert_eq!(titles, ["Finish can’t be reached", "Lines apart from the rest"])
+            }
             file => assert!(titles.is_empty(), "{file}: {titles:?}"),
         }
     }
