@@ -2,8 +2,8 @@
 //!
 //! In reading order: [`geometry`] and [`event`] are the words that everything speaks; [`maze`] is what is
 //! drawn; [`world`] lets a robot drive in it; an [`explorer`] is a robot's mind; [`run`] brings them together
-//! and writes a [`trace`]; [`ink`] and [`route`] say what that means on the floor; [`playback`]
-//! moves through it in time.
+//! and writes a [`trace`]; [`ink`] and [`route`] say what that means on the floor, [`report`] in numbers;
+//! [`playback`] moves through it in time.
 #![no_std]
 
 extern crate alloc;
@@ -16,6 +16,7 @@ pub mod geometry;
 pub mod ink;
 pub mod maze;
 pub mod playback;
+pub mod report;
 pub mod route;
 pub mod run;
 pub mod scene;

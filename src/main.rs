@@ -1,8 +1,11 @@
 //! The page: catches panics, then mounts the app.
 
+use line_maze_lab::web::{app::App, rescue};
+
 use leptos::prelude::*;
 
 fn main() {
-    console_error_panic_hook::set_once();
-    mount_to_body(|| view! { <p>"Line Maze Lab"</p> });
+    rescue::catch_panics();
+    mount_to_body(|| view! { <App /> });
+    rescue::loaded();
 }

@@ -97,8 +97,6 @@ pub enum Command {
     StepBy(Unit),
     /// Chooses how fast it plays; 1 is the robot's own pace.
     Speed(f64),
-    /// Chooses whether the bot is seen to drive.
-    Move(Motion),
 }
 
 /// The speeds that are offered; 1 is the robot's own pace.
@@ -187,6 +185,16 @@ impl Playback {
         self.speed
     }
 
+    /// Chooses whether the bot is seen to drive.
+    pub const fn set_motion(&mut self, motion: Motion) {
+        self.motion = motion;
+    }
+
+    /// Back to the start, standing still; speed and steps stay as they were chosen.
+    pub const fn rewind(&mut self) {
+        self.jump(Moment { stop: 0, lines: 0 });
+    }
+
     /// Does what a person asks for.
     pub fn apply(&mut self, command: Command, line: &impl Timeline) {
         let stop = self.moment.stop;
@@ -216,7 +224,6 @@ impl Playback {
             }
             Command::StepBy(unit) => self.unit = unit,
             Command::Speed(speed) => self.speed = speed,
-            Command::Move(motion) => self.motion = motion,
         }
     }
 
@@ -371,7 +378,7 @@ mod tests {
 
     fn after(commands: &[Command]) -> Playback {
         let mut playback = Playback::default();
-        playback.apply(Command::Move(Motion::Reduced), &Five);
+        playback.set_motion(Motion::Reduced);
         for &command in commands {
             playback.apply(command, &Five);
         }

@@ -14,6 +14,9 @@ use crate::trace::{Moment, Trace};
 use crate::world::{CannotStart, Ideal, World, line_start};
 
 pub mod best;
+pub mod tally;
+
+use tally::Tally;
 
 /// One turn for each node on the way; corners need none.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -133,6 +136,22 @@ pub enum Strayed {
     },
 }
 
+impl fmt::Display for Strayed {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::CannotStart(why) => why.fmt(f),
+            Self::NoLine { letter: 0, at } => write!(f, "the turn list leads off the line at {at}"),
+            Self::NoLine { letter, at } => {
+                write!(f, "the turn list leads off the line after letter {letter}, at {at}")
+            }
+            Self::DeadEnd { at } => write!(f, "the turn list leads to the dead end {at}"),
+            Self::ListTooShort { at } => write!(f, "the turn list has no letter for the node at {at}"),
+        }
+    }
+}
+
+impl core::error::Error for Strayed {}
+
 impl Route {
     /// Drives a turn list in an ideal world.
     ///
@@ -175,17 +194,25 @@ impl Route {
         self.legs.get((stop as usize).checked_sub(1)?).copied()
     }
 
+    /// What the drive is made of.
+    #[must_use]
+    pub fn tally(&self) -> Tally {
+        self.legs.iter().fold(Tally::default(), |tally, leg| {
+            let tally = tally.driven(leg.cells);
+            leg.turn.map_or(tally, |turn| tally.turned(turn))
+        })
+    }
+
     /// Cells from start to finish.
     #[must_use]
     pub fn cells(&self) -> u32 {
-        self.legs.iter().map(|leg| leg.cells).sum()
+        self.tally().cells
     }
 
-    /// Seconds that the robot takes: driving, and every turn.
+    /// Seconds that the robot takes: driving, every turn and every stop.
     #[must_use]
     pub fn seconds(&self, cell_mm: f64, pace: &Pace) -> f64 {
-        let turns = self.legs.iter().filter_map(|leg| leg.turn).map(|turn| pace.seconds(turn) + pace.stop_s);
-        f64::from(self.cells()) * cell_mm / pace.speed_mm_s + turns.sum::<f64>()
+        self.tally().seconds(cell_mm, pace)
     }
 }
 

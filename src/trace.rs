@@ -4,9 +4,8 @@
 //! the steps. A keyframe every [`KEY_EVERY`] stops holds what adds up (coordinates, clock, `ptr`). The visits
 //! to each place of the node table are listed in order, so that a row of the table at any moment is the few
 //! visits to its place since a node was last recorded there. Entering any moment costs at most [`KEY_EVERY`]
-//! additions, and a row besides a binary search in its place's visits; neither depends on where in the trace
-//! it is. A stop takes 8 bytes, its visit 4, a place of the table 4, a keyframe's share half a byte
-//! ([`Trace::bytes`] tells).
+//! additions, and a row besides a binary search in the visits, wherever in the trace it is. A stop takes 8
+//! bytes, its visit to a node 4, its share of a keyframe less than 1 ([`Trace::bytes`] tells).
 
 use alloc::vec::Vec;
 
@@ -19,10 +18,12 @@ use crate::settings::Pace;
 mod frame;
 mod row;
 mod script;
+mod visits;
 
 pub use frame::{Frame, Moment, State};
 pub use row::{Row, WayState};
 pub use script::events;
+use visits::Visits;
 
 /// Stops between two keyframes.
 pub const KEY_EVERY: usize = 64;
@@ -105,46 +106,6 @@ impl Step {
     }
 }
 
-/// Where the visits to each place of the node table are found.
-#[derive(Clone, Debug, Default)]
-struct Visits {
-    /// Of place `m`: `stops[starts[m]..starts[m + 1]]`.
-    starts: Vec<u32>,
-    /// Stop numbers, from 1, ascending for each place.
-    stops: Vec<u32>,
-}
-
-impl Visits {
-    fn of(steps: &[Step]) -> Self {
-        let places = steps.iter().map(|step| step.node() as usize).max().unwrap_or(0);
-        let mut starts = alloc::vec![0u32; places + 2];
-        let visits = || steps.iter().zip(1u32..).filter(|(step, _)| step.node() > 0);
-        for (step, _) in visits() {
-            starts[step.node() as usize + 1] += 1;
-        }
-        for m in 1..starts.len() {
-            starts[m] += starts[m - 1];
-        }
-        let mut stops = alloc::vec![0u32; starts.last().map_or(0, |&all| all as usize)];
-        // `starts[m]` walks to the end of its range, then everything is moved up by one place.
-        for (step, stop) in visits() {
-            let next = &mut starts[step.node() as usize];
-            stops[*next as usize] = stop;
-            *next += 1;
-        }
-        starts.rotate_right(1);
-        starts[0] = 0;
-        Self { starts, stops }
-    }
-
-    /// The visits to place `m` up to this stop.
-    fn until(&self, m: u32, stop: u32) -> &[u32] {
-        let range = |m: usize| self.starts.get(m).map_or(self.stops.len(), |&start| start as usize);
-        let all = &self.stops[range(m as usize)..range(m as usize + 1)];
-        &all[..all.partition_point(|&visit| visit <= stop)]
-    }
-}
-
 /// A whole run of the book's explorer.
 #[derive(Clone, Debug)]
 pub struct Trace {
@@ -195,10 +156,7 @@ impl Trace {
     /// Bytes that the trace takes in memory.
     #[must_use]
     pub fn bytes(&self) -> usize {
-        size_of_val(self.steps.as_slice())
-            + size_of_val(self.keys.as_slice())
-            + size_of_val(self.visits.starts.as_slice())
-            + size_of_val(self.visits.stops.as_slice())
+        size_of_val(self.steps.as_slice()) + size_of_val(self.keys.as_slice()) + self.visits.bytes()
     }
 }
 

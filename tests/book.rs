@@ -10,7 +10,7 @@ use line_maze_lab::ink::Ink;
 use line_maze_lab::maze::Maze;
 use line_maze_lab::route::{Route, TurnList, best};
 use line_maze_lab::run::explore;
-use line_maze_lab::settings::Settings;
+use line_maze_lab::settings::{Pace, Settings};
 use line_maze_lab::trace::{Moment, Trace};
 use support::{figure_2_4, figure_3_1};
 
@@ -92,7 +92,8 @@ fn figure_3_1_ends_with_the_shortest_route() {
     assert_eq!(list.c_array("Book, figure 3.1"), "const char turns[] = \"SSR\"; // Book, figure 3.1");
     let route = Route::drive(&maze, &list).unwrap();
     assert_eq!(route.cells(), 9);
-    assert_eq!(best::shortest_cells(&maze, maze.start().unwrap().at), Some(9));
+    let shortest = best::shortest(&maze, maze.start().unwrap(), &Pace::default());
+    assert_eq!(shortest.map(|best| best.cells), Some(9));
 }
 
 #[test]

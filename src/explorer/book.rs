@@ -19,10 +19,10 @@ use crate::geometry::{Heading, Turn, Ways};
 use crate::settings::Order;
 
 pub mod code;
-//pub mod errata;
-//pub mod glossary;
+pub mod errata;
+pub mod glossary;
 pub mod grid_store;
-//pub mod narrate;
+pub mod narrate;
 pub mod store;
 
 use code::Line;

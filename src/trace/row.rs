@@ -100,7 +100,7 @@ impl Trace {
 
     /// What was last remembered at place `m` when a stop was over, forgotten or not, and since which stop.
     fn settled(&self, stop: u32, m: u32) -> Option<(u32, Node)> {
-        let visits = self.visits.until(m, stop);
+        let visits = self.visits.until(&self.steps, m, stop);
         let case = |visit: u32| self.step(visit).map(|step| step.case());
         let new = visits.iter().rposition(|&visit| case(visit) == Some(Case::New))?;
         let (met, mut node) = self.recorded(visits[new])?;

@@ -4,6 +4,8 @@
 use line_maze_lab::geometry::{Heading, Point};
 use line_maze_lab::maze::{Bounds, Maze, Start};
 
+pub mod random;
+
 /// A maze of polylines, as the specifications write them.
 pub fn maze(lines: &[&[(i32, i32)]], start: (i32, i32, Heading), finish: &[(i32, i32)]) -> Maze {
     let point = |&(x, y): &(i32, i32)| Point::new(x, y);

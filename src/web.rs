@@ -1,0 +1,21 @@
+//! The page. Data flows one way: views read [`state::Lab`]'s signals and send it commands.
+//!
+//! No algorithm lives here; what the views show is worked out in the core.
+
+pub mod app;
+pub mod browser;
+pub mod clock;
+pub mod dialogs;
+pub mod draw;
+pub mod header;
+pub mod icons;
+pub mod keys;
+pub mod maze_view;
+pub mod paths;
+pub mod projector;
+pub mod rescue;
+pub mod run_view;
+pub mod state;
+pub mod step;
+pub mod storage;
+pub mod viewport;

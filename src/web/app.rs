@@ -1,0 +1,209 @@
+//! The app: what is open at the beginning, what the browser keeps, and the rooms.
+
+use leptos::prelude::*;
+use wasm_bindgen::JsCast;
+use wasm_bindgen::prelude::*;
+
+use super::header::Header;
+use super::projector::Projector;
+use super::state::{Lab, Room, ToastTone};
+use super::step::StepRoom;
+use super::{browser, clock, dialogs, draw, keys, storage};
+use crate::maze::{file, samples};
+use crate::playback::Motion;
+use crate::share;
+
+/// The part of the address that holds a maze.
+pub const LINK: &str = "m=";
+
+/// The whole page.
+#[component]
+pub fn App() -> impl IntoView {
+    let own = storage::maze().unwrap_or_else(samples::figure_3_1);
+    let motion = if browser::reduced_motion() { Motion::Reduced } else { Motion::Smooth };
+    let lab = Lab::new(own, storage::settings(), motion);
+    provide_context(lab);
+    follow_address(lab, browser::hash().as_str());
+    keep(lab);
+    show_theme(lab);
+    clock::run_clock(lab);
+    keys::listen(lab);
+    take_files(lab);
+    listen_for_updates(lab);
+    let on_hash = window_event_listener(leptos::ev::hashchange, move |_| follow_address(lab, browser::hash().as_str()));
+    on_cleanup(move || on_hash.remove());
+    view! {
+        <div class="app" class:projecting=move || lab.projector.get()>
+            <a class="vh skip" href="#main" on:click=move |event| { event.prevent_default(); browser::focus("main"); }>"Skip to the maze"</a>
+            <Header />
+            {move || match (lab.projector.get(), lab.room.get()) {
+                (true, _) => view! { <Projector /> }.into_any(),
+                (false, Room::Draw) => view! { <draw::DrawRoom /> }.into_any(),
+                (false, Room::Step) => view! { <StepRoom /> }.into_any(),
+            }}
+        </div>
+        <dialogs::Dialogs />
+        <dialogs::Toasts />
+    }
+}
+
+/// Opens a room, and says so in the address.
+pub fn go(lab: Lab, room: Room) {
+    lab.projector.set(false);
+    lab.room.set(room);
+    // A borrowed maze stays in the address, so that reloading shows it again.
+    if !lab.borrowed.get_untracked() {
+        browser::replace_hash(match room {
+            Room::Draw => "draw",
+            Room::Step => "step",
+        });
+    }
+}
+
+/// Opens what the address names: a room, or the maze of a link.
+fn follow_address(lab: Lab, hash: &str) {
+    if let Some(payload) = hash.strip_prefix(LINK) {
+        open_link(lab, payload);
+    } else if hash == "draw" {
+        lab.room.set(Room::Draw);
+    } else if hash == "step" {
+        lab.room.set(Room::Step);
+    }
+}
+
+/// Opens the maze, settings and stop of a link; a broken one is told, and nothing changes.
+pub fn open_link(lab: Lab, payload: &str) {
+    match share::decode(payload) {
+        Ok(shared) => {
+            lab.broken_link.set(None);
+            lab.room.set(Room::Step);
+            lab.borrow(shared.maze, shared.settings, shared.stop);
+        }
+        Err(why) => {
+            lab.broken_link.set(Some(why.to_string()));
+            browser::replace_hash("step");
+        }
+    }
+}
+
+/// Keeps maze and settings as they change.
+fn keep(lab: Lab) {
+    Effect::new(move |before: Option<()>| {
+        let maze = lab.maze.get();
+        if !lab.borrowed.get() {
+            lab.not_kept.set(storage::keep_maze(&maze).is_err());
+            // A maze of one's own is not in the address.
+            if before.is_some() && browser::hash().starts_with(LINK) {
+                browser::replace_hash(if lab.room.get_untracked() == Room::Draw { "draw" } else { "step" });
+            }
+        }
+    });
+    Effect::new(move |_| lab.settings.with(|settings| if !lab.borrowed.get() { storage::keep_settings(settings) }));
+}
+
+/// Sets the theme on the root element, and follows the system where that is chosen.
+fn show_theme(lab: Lab) {
+    const DARK: &str = "(prefers-color-scheme: dark)";
+    let show = move || {
+        let dark = match lab.theme.get_untracked() {
+            storage::Theme::System => browser::media(DARK),
+            storage::Theme::Light => false,
+            storage::Theme::Dark => true,
+        };
+        if let Some(root) = document().document_element() {
+            let _ = root.set_attribute("data-theme", if dark { "dark" } else { "light" });
+        }
+    };
+    Effect::new(move |_| {
+        storage::keep_theme(lab.theme.get());
+        show();
+    });
+    if let Ok(Some(system)) = window().match_media(DARK) {
+        let changed = Closure::<dyn FnMut()>::new(show);
+        let _ = system.add_event_listener_with_callback("change", changed.as_ref().unchecked_ref());
+        // The app lives as long as the page.
+        changed.forget();
+    }
+}
+
+/// Reads a file's bytes as a maze and opens it; says what is wrong where it cannot be read.
+pub fn open_bytes(lab: Lab, name: &str, bytes: &[u8]) {
+    match file::read(bytes) {
+        Ok(maze) => {
+            lab.open(maze);
+            lab.say(ToastTone::Info, "", format!("{name} is open."));
+        }
+        Err(why) => lab.say(ToastTone::Error, format!("Can’t read {name}"), why.to_string()),
+    }
+}
+
+/// Opens a file that the user chose or dropped.
+pub fn open_file(lab: Lab, file: &web_sys::File) {
+    let (name, size) = (file.name(), file.size());
+    if size > file::MAX_BYTES as f64 {
+        let text = format!("It has {:.1} MiB; a maze file has at most {} MiB.", size / 1_048_576.0, file::MAX_BYTES >> 20);
+        return lab.say(ToastTone::Error, format!("Can’t read {name}"), text);
+    }
+    let bytes = file.array_buffer();
+    leptos::task::spawn_local(async move {
+        match wasm_bindgen_futures::JsFuture::from(bytes).await {
+            Ok(buffer) => open_bytes(lab, &name, &js_sys::Uint8Array::new(&buffer).to_vec()),
+            Err(_) => lab.say(ToastTone::Error, format!("Can’t read {name}"), "The browser could not read the file. Is it still there?"),
+        }
+    });
+}
+
+/// Files dropped anywhere, and mazes pasted anywhere but into a field.
+fn take_files(lab: Lab) {
+    let over = window_event_listener(leptos::ev::dragover, |event| event.prevent_default());
+    let drop = window_event_listener(leptos::ev::drop, move |event| {
+        event.prevent_default();
+        let files = event.data_transfer().and_then(|transfer| transfer.files());
+        let Some(files) = files.filter(|files| files.length() > 0) else { return };
+        if files.length() > 1 {
+            lab.say(ToastTone::Error, "One file at a time", "Only the first of the dropped files is opened.");
+        }
+        if let Some(file) = files.get(0) {
+            open_file(lab, &file);
+        }
+    });
+    let paste = window_event_listener(leptos::ev::paste, move |event: web_sys::Event| {
+        let event = event.unchecked_into::<web_sys::ClipboardEvent>();
+        if keys::is_typing(event.target()) {
+            return;
+        }
+        let text = event.clipboard_data().and_then(|data| data.get_data("text/plain").ok()).unwrap_or_default();
+        if !text.trim().is_empty() {
+            event.prevent_default();
+            open_text(lab, &text);
+        }
+    });
+    on_cleanup(move || {
+        over.remove();
+        drop.remove();
+        paste.remove();
+    });
+}
+
+/// Opens a maze or a link that was pasted.
+pub fn open_text(lab: Lab, text: &str) {
+    match text.trim().split_once(&format!("#{LINK}")) {
+        Some((before, payload)) if !before.contains('\n') => open_link(lab, payload.trim()),
+        _ => open_bytes(lab, "the pasted maze", text.as_bytes()),
+    }
+}
+
+/// Says when a new version of the page waits.
+fn listen_for_updates(lab: Lab) {
+    use super::state::{Toast, ToastAction};
+    let waiting = window_event_listener_untyped("linemaze:update-ready", move |_| {
+        let toast = Toast {
+            title: "A new version is here".into(),
+            text: "Your maze stays as it is.".into(),
+            tone: ToastTone::Info,
+            action: Some(ToastAction::Update),
+        };
+        lab.toast.set(Some(toast));
+    });
+    on_cleanup(move || waiting.remove());
+}

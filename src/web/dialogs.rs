@@ -1,0 +1,126 @@
+//! Dialogs and toasts: one of each at a time, in the browser's own `<dialog>` (focus stays inside, Esc closes).
+
+use leptos::html;
+use leptos::prelude::*;
+
+use super::icons;
+use super::state::{Dialog, ToastAction, ToastTone, lab};
+
+mod books;
+mod settings;
+mod share;
+
+/// The open dialog.
+#[component]
+pub fn Dialogs() -> impl IntoView {
+    let lab = lab();
+    move || {
+        lab.dialog.get().map(|dialog| match dialog {
+            Dialog::Keys => view! { <books::Keys /> }.into_any(),
+            Dialog::Glossary(name) => view! { <books::Glossary at=name /> }.into_any(),
+            Dialog::Errata => view! { <books::Errata /> }.into_any(),
+            Dialog::Settings => view! { <settings::RunSettings /> }.into_any(),
+            Dialog::Share => view! { <share::Share /> }.into_any(),
+            other => super::draw::dialog(other),
+        })
+    }
+}
+
+/// How wide a dialog is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Width {
+    /// For reading.
+    #[default]
+    Wide,
+    /// For a few fields.
+    Narrow,
+}
+
+/// A dialog with a head and a way out.
+#[component]
+pub fn Modal(title: &'static str, #[prop(optional)] width: Width, children: Children) -> impl IntoView {
+    let lab = lab();
+    let element = NodeRef::<html::Dialog>::new();
+    Effect::new(move |_| {
+        if let Some(dialog) = element.get()
+            && !dialog.open()
+        {
+            let _ = dialog.show_modal();
+        }
+    });
+    let close = move || lab.dialog.set(None);
+    view! {
+        <dialog
+            node_ref=element
+            class:narrow=width == Width::Narrow
+            aria-labelledby="dialog-title"
+            on:close=move |_| close()
+            on:click=move |event: web_sys::MouseEvent| {
+                // A click on the veil lands on the dialog itself.
+                let on_veil = event.target() == element.get_untracked().map(|dialog| dialog.into());
+                if on_veil {
+                    close();
+                }
+            }
+        >
+            <div class="dialog-head">
+                <h2 id="dialog-title">{title}</h2>
+                <button class="btn icon quiet" aria-label="Close" on:click=move |_| close()>{icons::close()}</button>
+            </div>
+            <div class="dialog-body">{children()}</div>
+        </dialog>
+    }
+}
+
+/// The toast, read aloud when it comes.
+#[component]
+pub fn Toasts() -> impl IntoView {
+    let lab = lab();
+    let act = move |action: ToastAction| {
+        lab.toast.set(None);
+        match action {
+            ToastAction::Undo => lab.undo(),
+            ToastAction::Update => {
+                if let Ok(event) = web_sys::Event::new("linemaze:update-now") {
+                    let _ = window().dispatch_event(&event);
+                }
+            }
+        }
+    };
+    // What was only told goes by itself; errors and questions stay.
+    Effect::new(move |_| {
+        let Some(toast) = lab.toast.get() else { return };
+        if toast.tone == ToastTone::Info && toast.action != Some(ToastAction::Update) {
+            set_timeout(
+                move || {
+                    if lab.toast.try_get_untracked().flatten().as_ref() == Some(&toast) {
+                        lab.toast.set(None);
+                    }
+                },
+                std::time::Duration::from_secs(6),
+            );
+        }
+    });
+    view! {
+        <div class="toasts" aria-live="assertive">
+            {move || lab.toast.get().map(|toast| {
+                let error = toast.tone == ToastTone::Error;
+                view! {
+                    <div class="toast" role=if error { "alert" } else { "status" }>
+                        <span class="mark">{if error { icons::no().into_any() } else { icons::info().into_any() }}</span>
+                        <p>
+                            {(!toast.title.is_empty()).then(|| view! { <b>{toast.title.clone()}</b> <br /> })}
+                            {toast.text.clone()}
+                        </p>
+                        {toast.action.map(|action| view! {
+                            <button class="btn" on:click=move |_| act(action)>
+                                {match action { ToastAction::Undo => "Undo", ToastAction::Update => "Use it" }}
+                            </button>
+                        })}
+                        <button class="btn icon" aria-label="Close the message" on:click=move |_| lab.toast.set(None)>{icons::close()}</button>
+                    </div>
+                }
+            })}
+        </div>
+    }
+}

@@ -1,0 +1,93 @@
+//! The head of the page: rooms, and what concerns all of them.
+
+use leptos::prelude::*;
+
+use super::icons;
+use super::state::{Dialog, Room, lab};
+use super::storage::Theme;
+use crate::settings::Order;
+
+/// The head.
+#[component]
+pub fn Header() -> impl IntoView {
+    let lab = lab();
+    let room = move |room: Room, name: &'static str, hash: &'static str| {
+        let here = move || (lab.room.get() == room).then_some("page");
+        view! {
+            <a href=hash aria-current=here on:click=move |event| { event.prevent_default(); super::app::go(lab, room); }>{name}</a>
+        }
+    };
+    view! {
+        <header class="top">
+            <div class="brand">
+                <svg viewBox="0 0 26 26" fill="none" stroke="currentColor" stroke-width="3.2" stroke-linecap="round" stroke-linejoin="round" aria-hidden="true">
+                    <path d="M4 23V4h12v9H10v10" />
+                    <circle cx="21" cy="20" r="2.6" fill="var(--bot)" stroke="none" />
+                </svg>
+                <span>"Line Maze Lab"</span>
+            </div>
+            <nav aria-label="Rooms">
+                {room(Room::Draw, "Draw", "#draw")}
+                {room(Room::Step, "Step", "#step")}
+            </nav>
+            <div class="spacer"></div>
+            <div class="tools-right">
+                <OrderButton />
+                <button class="btn icon hide-s" aria-label="Projector (P)" title="Projector: large type (P)" on:click=move |_| { lab.room.set(Room::Step); lab.projector.set(true); }>
+                    {icons::screen()}
+                </button>
+                <button class="btn" aria-label="Share" title="A link and a QR code of this maze" on:click=move |_| lab.dialog.set(Some(Dialog::Share))>
+                    {icons::share()}<span class="hide-l">"Share"</span>
+                </button>
+                <button class="btn icon" aria-label="Keys (?)" title="All keys (?)" on:click=move |_| lab.dialog.set(Some(Dialog::Keys))>{icons::keyboard()}</button>
+                <ThemeButton />
+            </div>
+        </header>
+    }
+}
+
+/// The preference order, which opens all settings of the run.
+#[component]
+fn OrderButton() -> impl IntoView {
+    let lab = lab();
+    let order = move || match lab.settings.with(|settings| settings.order) {
+        Order::Fixed(preference) => preference.turns().map(|turn| turn.letter().to_string()).join(" → "),
+        Order::Random(seed) => format!("random {seed}"),
+    };
+    view! {
+        <button class="btn" title="Preference order, epsilon, NODE_MAX (O)" on:click=move |_| lab.dialog.set(Some(Dialog::Settings))>
+            {icons::settings()}
+            <span class="vh">"Settings of the run: "</span>
+            <span class="hide-s">{order}</span>
+        </button>
+    }
+}
+
+/// Light, dark, by system: each press the next.
+#[component]
+fn ThemeButton() -> impl IntoView {
+    let lab = lab();
+    let label = move || match lab.theme.get() {
+        Theme::System => "Theme: by system",
+        Theme::Light => "Theme: light",
+        Theme::Dark => "Theme: dark",
+    };
+    let next = move |_| {
+        lab.theme.update(|theme| {
+            *theme = match theme {
+                Theme::System => Theme::Light,
+                Theme::Light => Theme::Dark,
+                Theme::Dark => Theme::System,
+            };
+        });
+    };
+    view! {
+        <button class="btn icon" aria-label=label title=label on:click=next>
+            {move || match lab.theme.get() {
+                Theme::System => icons::system().into_any(),
+                Theme::Light => icons::sun().into_any(),
+                Theme::Dark => icons::moon().into_any(),
+            }}
+        </button>
+    }
+}

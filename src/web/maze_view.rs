@@ -1,0 +1,211 @@
+//! Pieces of a maze's picture that Draw and Step share: the frame that pans and zooms, finish, compass, bot.
+
+use leptos::html;
+use leptos::prelude::*;
+use wasm_bindgen::JsCast;
+use wasm_bindgen::prelude::*;
+
+use super::paths::UNIT;
+use super::viewport::{Size, Viewport};
+use crate::geometry::{Heading, Point};
+use crate::maze::Bounds;
+use crate::scene::Pose;
+
+#[wasm_bindgen]
+extern "C" {
+    /// Tells when an element changes its size.
+    type ResizeObserver;
+    #[wasm_bindgen(constructor)]
+    fn new(callback: &js_sys::Function) -> ResizeObserver;
+    #[wasm_bindgen(method)]
+    fn observe(this: &ResizeObserver, element: &web_sys::Element);
+    #[wasm_bindgen(method)]
+    fn disconnect(this: &ResizeObserver);
+}
+
+/// The size of an element, as it changes.
+pub fn size_of(element: NodeRef<html::Div>) -> ReadSignal<Size> {
+    let (size, set_size) = signal(Size { w: 800.0, h: 600.0 });
+    Effect::new(move |_| {
+        let Some(element) = element.get() else { return };
+        let measured = element.clone();
+        let measure = Closure::<dyn FnMut()>::new(move || {
+            let (w, h) = (f64::from(measured.client_width()), f64::from(measured.client_height()));
+            if w > 0.0 && h > 0.0 {
+                set_size.set(Size { w, h });
+            }
+        });
+        let observer = ResizeObserver::new(measure.as_ref().unchecked_ref());
+        observer.observe(&element);
+        let held = StoredValue::new_local(Some((observer, measure)));
+        on_cleanup(move || {
+            if let Some((observer, _)) = held.try_update_value(Option::take).flatten() {
+                observer.disconnect();
+            }
+        });
+    });
+    size
+}
+
+/// A viewport that shows everything until someone moves it.
+#[derive(Clone, Copy)]
+pub struct Camera {
+    /// The picture's size.
+    pub size: ReadSignal<Size>,
+    bounds: Memo<Bounds>,
+    moved: RwSignal<Option<Viewport>>,
+    most: f64,
+}
+
+impl Camera {
+    /// A camera on a lattice; a fitted cell is at most `most` pixels.
+    #[must_use]
+    pub fn new(size: ReadSignal<Size>, bounds: Memo<Bounds>, most: f64) -> Self {
+        Self { size, bounds, moved: RwSignal::new(None), most }
+    }
+
+    /// What the picture shows.
+    #[must_use]
+    pub fn view(self) -> Viewport {
+        self.moved.get().unwrap_or_else(|| Viewport::fit(self.bounds.get(), self.size.get(), self.most))
+    }
+
+    /// Whether everything is shown.
+    #[must_use]
+    pub fn is_fitted(self) -> bool {
+        self.moved.with(Option::is_none)
+    }
+
+    /// Shows everything again.
+    pub fn fit(self) {
+        self.moved.set(None);
+    }
+
+    /// Zooms about a place of the picture; about its middle if none is named.
+    pub fn zoom(self, factor: f64, about: Option<(f64, f64)>) {
+        let (view, size) = untrack(|| (self.view(), self.size.get()));
+        let about = about.unwrap_or((size.w / 2.0, size.h / 2.0));
+        self.moved.set(Some(view.zoomed(size, factor, about)));
+    }
+
+    /// Moves the paper by pixels.
+    pub fn pan(self, dx: f64, dy: f64) {
+        let view = untrack(|| self.view());
+        self.moved.set(Some(view.moved(dx, dy)));
+    }
+
+    /// Moves the paper, if needed, so that a lattice point is in the picture.
+    pub fn show(self, at: Point) {
+        let (view, size) = untrack(|| (self.view(), self.size.get()));
+        let (px, py) = view.to_screen(size, f64::from(at.x), f64::from(at.y));
+        if !(20.0..=size.w - 20.0).contains(&px) || !(20.0..=size.h - 20.0).contains(&py) {
+            self.moved.set(Some(Viewport { x: f64::from(at.x), y: f64::from(at.y), ..view }));
+        }
+    }
+
+    /// The lattice place under a pointer event on the picture.
+    #[must_use]
+    pub fn place(self, px: f64, py: f64) -> (f64, f64) {
+        untrack(|| self.view().to_lattice(self.size.get(), px, py))
+    }
+
+    /// The SVG `viewBox` that shows it, in picture units.
+    #[must_use]
+    pub fn view_box(self) -> String {
+        let (view, size) = (self.view(), self.size.get());
+        let unit = f64::from(UNIT);
+        let (w, h) = (size.w / view.scale * unit, size.h / view.scale * unit);
+        format!("{:.2} {:.2} {w:.2} {h:.2}", view.x * unit - w / 2.0, -view.y * unit - h / 2.0)
+    }
+
+    /// Picture units that look like one pixel: for labels and handles that keep their size.
+    #[must_use]
+    pub fn pixel(self) -> f64 {
+        f64::from(UNIT) / self.view().scale
+    }
+}
+
+/// Zoom out, in, and show everything.
+#[component]
+pub fn ZoomButtons(camera: Camera) -> impl IntoView {
+    view! {
+        <span class="group" role="group" aria-label="Zoom">
+            <button class="btn icon" aria-label="Zoom out" on:click=move |_| camera.zoom(0.8, None)>
+                {super::icons::minus()}
+            </button>
+            <button class="btn icon" aria-label="Zoom in" on:click=move |_| camera.zoom(1.25, None)>
+                {super::icons::plus()}
+            </button>
+            <button class="btn" disabled=move || camera.is_fitted() on:click=move |_| camera.fit()>"Fit"</button>
+        </span>
+    }
+}
+
+/// A finish point.
+pub fn finish_mark(at: Point, label: bool, pixel: f64) -> impl IntoView {
+    let (x, y) = (at.x * UNIT, -at.y * UNIT);
+    view! {
+        <rect class="finish" x=x - 18 y=y - 14 width="36" height="28" rx="3" />
+        {label.then(|| view! { <Label x=f64::from(x) + 24.0 + 6.0 * pixel y=f64::from(y) pixel=pixel text="finish" /> })}
+    }
+}
+
+/// A word beside a place; its size stays the same when the picture is zoomed.
+#[component]
+pub fn Label(x: f64, y: f64, pixel: f64, text: &'static str) -> impl IntoView {
+    let scale = pixel.clamp(0.35, 3.0);
+    view! {
+        <g transform=format!("translate({x:.2} {y:.2}) scale({scale:.3})") aria-hidden="true">
+            <text class="label" y="5">{text}</text>
+        </g>
+    }
+}
+
+/// The bot, its nose towards the top; drawn in picture units around its middle.
+pub fn bot_shape() -> impl IntoView {
+    view! {
+        <rect class="bot-body" x="-15" y="-20" width="30" height="38" rx="8" />
+        <path class="bot-body" d="M0-34l9 13h-18z" />
+        <g class="bot-wheel">
+            <rect x="-20" y="-4" width="6" height="18" rx="3" />
+            <rect x="14" y="-4" width="6" height="18" rx="3" />
+        </g>
+        <path class="bot-eye" d="M-9-14h0M-4.5-14h0M0-14h0M4.5-14h0M9-14h0" />
+    }
+}
+
+/// The bot in the picture; never smaller than can be seen.
+#[component]
+pub fn Bot(#[prop(into)] pose: Signal<Pose>, #[prop(into)] pixel: Signal<f64>) -> impl IntoView {
+    let transform = move || {
+        let (pose, unit) = (pose.get(), f64::from(UNIT));
+        let scale = (0.62 * pixel.get()).max(1.0);
+        let (x, y) = (pose.x * unit, -pose.y * unit);
+        format!("translate({x:.2} {y:.2}) rotate({:.2}) scale({scale:.3})", pose.degrees)
+    };
+    view! { <g class="bot" transform=transform>{bot_shape()}</g> }
+}
+
+/// The bot's directions on the drawing: its 0, the bot's north, may point anywhere.
+#[component]
+pub fn Compass(#[prop(into)] north: Signal<Heading>) -> impl IntoView {
+    let turned = move || format!("rotate({})", u32::from(north.get().index()) * 90);
+    let label = move || {
+        let (dx, dy) = north.get().vector();
+        (dx * 30, -dy * 30 + 4)
+    };
+    view! {
+        <svg
+            class="compass-rose maze"
+            viewBox="-44 -44 88 88"
+            role="img"
+            aria-label=move || format!("The bot’s north, direction 0, is {} on the drawing", north.get().word())
+        >
+            <g class="compass">
+                <circle r="20" />
+                <path transform=turned d="M0-14l5 14h-10z" />
+                <text x=move || label().0 y=move || label().1>"0 N"</text>
+            </g>
+        </svg>
+    }
+}

@@ -1,0 +1,89 @@
+//! Cells of lattice as SVG path data, in picture units of [`UNIT`] a cell, y down. Cells in a row become one
+//! stroke, so that large mazes stay quick to draw.
+
+use std::fmt::Write;
+
+use crate::geometry::{Heading, Point};
+use crate::maze::Bounds;
+
+/// Picture units a cell.
+pub const UNIT: i32 = 80;
+
+/// A part of a lattice, for pictures that are drawn in pieces.
+pub const TILE: i32 = 20;
+
+/// The tiles that cover a lattice, each by its own corners.
+#[must_use]
+pub fn tiles(bounds: Bounds) -> Vec<(Point, Point)> {
+    let corners = |from: i32, to: i32| (from..=to).step_by(TILE as usize).map(move |at| (at, (at + TILE - 1).min(to)));
+    let (sw, ne) = (bounds.sw(), bounds.ne());
+    let columns = || corners(sw.x, ne.x);
+    corners(sw.y, ne.y)
+        .flat_map(|(y0, y1)| columns().map(move |(x0, x1)| (Point::new(x0, y0), Point::new(x1, y1))))
+        .collect()
+}
+
+/// Path data of all cells between two corners that `has` says yes to; a cell is named by its southern or
+/// western end.
+pub fn cells((sw, ne): (Point, Point), has: impl Fn(Point, Heading) -> bool) -> String {
+    let mut data = String::new();
+    for y in sw.y..=ne.y {
+        runs(sw.x, ne.x, |x| has(Point::new(x, y), Heading::East), |from, to| {
+            let _ = write!(data, "M{} {}H{}", from * UNIT, -y * UNIT, to * UNIT);
+        });
+    }
+    for x in sw.x..=ne.x {
+        runs(sw.y, ne.y, |y| has(Point::new(x, y), Heading::North), |from, to| {
+            let _ = write!(data, "M{} {}V{}", x * UNIT, -from * UNIT, -to * UNIT);
+        });
+    }
+    data
+}
+
+/// The longest runs of cells along a line.
+fn runs(first: i32, last: i32, has: impl Fn(i32) -> bool, mut run: impl FnMut(i32, i32)) {
+    let mut begin = None;
+    for at in first..=last {
+        match (has(at), begin) {
+            (true, None) => begin = Some(at),
+            (false, Some(from)) => {
+                run(from, at);
+                begin = None;
+            }
+            _ => {}
+        }
+    }
+    if let Some(from) = begin {
+        run(from, last + 1);
+    }
+}
+
+/// Path data of a line through lattice points.
+pub fn line(points: impl IntoIterator<Item = Point>) -> String {
+    let mut data = String::new();
+    for point in points {
+        let _ = write!(data, "{}{} {}", if data.is_empty() { "M" } else { "L" }, point.x * UNIT, -point.y * UNIT);
+    }
+    data
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cells_in_a_row_are_one_stroke() {
+        let corners = (Point::new(0, 0), Point::new(3, 1));
+        let row = cells(corners, |at, heading| heading == Heading::East && at.y == 1 && at.x != 1);
+        assert_eq!(row, "M0 -80H80M160 -80H320");
+        let column = cells(corners, |at, heading| heading == Heading::North && at.x == 2);
+        assert_eq!(column, "M160 0V-160");
+    }
+
+    #[test]
+    fn tiles_cover_the_lattice_once() {
+        let bounds = Bounds::new(Point::new(-7, 3), Point::new(45, 30)).unwrap();
+        let covered: i32 = tiles(bounds).iter().map(|(a, b)| (b.x - a.x + 1) * (b.y - a.y + 1)).sum();
+        assert_eq!(covered as usize, bounds.len());
+    }
+}

@@ -1,0 +1,25 @@
+//! When it goes wrong: a panic is told to the page's own script, which needs no wasm to show the way out.
+
+use leptos::prelude::{document, window};
+use wasm_bindgen::JsValue;
+use web_sys::{CustomEvent, CustomEventInit};
+
+/// Tells panics to the console and to the rescue screen.
+pub fn catch_panics() {
+    std::panic::set_hook(Box::new(|panic| {
+        console_error_panic_hook::hook(panic);
+        let report = format!("{panic} · version {}", env!("CARGO_PKG_VERSION"));
+        let detail = CustomEventInit::new();
+        detail.set_detail(&JsValue::from_str(&report));
+        if let Ok(event) = CustomEvent::new_with_event_init_dict("linemaze:panic", &detail) {
+            let _ = window().dispatch_event(&event);
+        }
+    }));
+}
+
+/// Takes away what was shown while the page was loading.
+pub fn loaded() {
+    if let Some(loading) = document().get_element_by_id("loading") {
+        loading.remove();
+    }
+}

@@ -1,0 +1,280 @@
+//! The page's state: signals that views read, and the commands that change them.
+
+use leptos::prelude::*;
+
+use super::run_view::{Run, Same};
+use super::storage;
+use crate::geometry::Heading;
+use crate::maze::Maze;
+use crate::maze::edit::{Edit, History};
+use crate::playback::{Command, Motion, Playback};
+use crate::settings::Settings;
+use crate::trace::{Frame, Moment};
+use crate::world::CannotStart;
+
+/// The rooms of the lab.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Room {
+    /// Draw a maze.
+    Draw,
+    /// Step through a run.
+    Step,
+}
+
+/// What a dialog shows.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Dialog {
+    /// All keys.
+    Keys,
+    /// The glossary, opened at a name.
+    Glossary(Option<&'static str>),
+    /// All errata of the book.
+    Errata,
+    /// A link, its QR code, or a file instead.
+    Share,
+    /// Preference order, epsilon, `NODE_MAX`.
+    Settings,
+    /// A new, empty maze.
+    New,
+    /// Another size for the maze.
+    Resize,
+    /// Title, source and note.
+    About,
+    /// A maze as text, to be pasted.
+    Paste,
+    /// All samples.
+    Samples,
+}
+
+/// A short message at the lower edge.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Toast {
+    /// What it is about; may be empty.
+    pub title: String,
+    /// What happened, and the cure.
+    pub text: String,
+    /// Whether it is an error.
+    pub tone: ToastTone,
+    /// What can be done at once.
+    pub action: Option<ToastAction>,
+}
+
+/// How a toast is meant.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ToastTone {
+    /// Something was done.
+    Info,
+    /// Something cannot be done.
+    Error,
+}
+
+/// A toast's button.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ToastAction {
+    /// Takes back the last edit.
+    Undo,
+    /// Uses the new version of the page.
+    Update,
+}
+
+/// What the stepper plays.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Round {
+    /// Round 1: the exploration.
+    Explore,
+    /// Round 2: the drive by the turn list.
+    Solved,
+}
+
+/// The state of the page; cheap to copy, reached by [`lab`].
+#[derive(Clone, Copy)]
+pub struct Lab {
+    /// The maze and its past.
+    pub history: RwSignal<History>,
+    /// The maze itself.
+    pub maze: Memo<Same<Maze>>,
+    /// How the bot is set.
+    pub settings: RwSignal<Settings>,
+    /// The run through the maze.
+    pub run: Memo<Result<Same<Run>, CannotStart>>,
+    /// The room that is open.
+    pub room: RwSignal<Room>,
+    /// Where round 1 is played.
+    pub playback: RwSignal<Playback>,
+    /// Where round 2 is played.
+    pub solved: RwSignal<Playback>,
+    /// Which of them.
+    pub round: RwSignal<Round>,
+    /// The moment of round 1 that the words show.
+    pub moment: Memo<Moment>,
+    /// What is to be shown at it.
+    pub frame: Memo<Option<Frame>>,
+    /// A node that the pointer is on, here or there.
+    pub lit: RwSignal<Option<u32>>,
+    /// Whether the maze is shown as the robot knows it.
+    pub robots_eye: RwSignal<bool>,
+    /// Large type: maze, sentence, controls.
+    pub projector: RwSignal<bool>,
+    /// The open dialog.
+    pub dialog: RwSignal<Option<Dialog>>,
+    /// The toast.
+    pub toast: RwSignal<Option<Toast>>,
+    /// A link that could not be opened: why.
+    pub broken_link: RwSignal<Option<String>>,
+    /// Whether the maze came by a link and is not the user's own yet.
+    pub borrowed: RwSignal<bool>,
+    /// Whether the browser refuses to keep the drawing.
+    pub not_kept: RwSignal<bool>,
+    /// Light or dark.
+    pub theme: RwSignal<storage::Theme>,
+}
+
+/// The state of the page.
+#[must_use]
+pub fn lab() -> Lab {
+    expect_context::<Lab>()
+}
+
+impl Lab {
+    /// The state at the beginning, with this maze and these settings.
+    #[must_use]
+    pub fn new(maze: Maze, settings: Settings, motion: Motion) -> Self {
+        let history = RwSignal::new(History::new(maze));
+        let settings = RwSignal::new(settings);
+        let maze = Memo::new(move |_| Same::new(history.with(|history| history.maze().clone())));
+        let run = Memo::new(move |_| settings.with(|settings| Run::of(maze.get(), settings).map(Same::new)));
+        let still = || {
+            let mut playback = Playback::default();
+            playback.set_motion(motion);
+            RwSignal::new(playback)
+        };
+        let playback = still();
+        let moment = Memo::new(move |_| playback.with(Playback::moment));
+        let frame = Memo::new(move |_| run.with(|run| Some(run.as_ref().ok()?.trace.frame(moment.get()))));
+        Self {
+            history,
+            maze,
+            settings,
+            run,
+            room: RwSignal::new(Room::Step),
+            playback,
+            solved: still(),
+            round: RwSignal::new(Round::Explore),
+            moment,
+            frame,
+            lit: RwSignal::new(None),
+            robots_eye: RwSignal::new(false),
+            projector: RwSignal::new(false),
+            dialog: RwSignal::new(None),
+            toast: RwSignal::new(None),
+            broken_link: RwSignal::new(None),
+            borrowed: RwSignal::new(false),
+            not_kept: RwSignal::new(false),
+            theme: RwSignal::new(storage::theme()),
+        }
+    }
+
+    /// The playback that the controls move.
+    #[must_use]
+    pub fn playing(self) -> RwSignal<Playback> {
+        match self.round.get() {
+            Round::Explore => self.playback,
+            Round::Solved => self.solved,
+        }
+    }
+
+    /// Moves the run that is shown.
+    pub fn play(self, command: Command) {
+        self.run.with_untracked(|run| {
+            let Ok(run) = run else { return };
+            match (self.round.get_untracked(), &run.drive) {
+                (Round::Solved, Some(drive)) => self.solved.update(|playback| playback.apply(command, drive)),
+                _ => self.playback.update(|playback| playback.apply(command, &run.trace)),
+            }
+        });
+    }
+
+    /// Lets time pass.
+    pub fn tick(self, dt_s: f64) {
+        self.run.with_untracked(|run| {
+            let Ok(run) = run else { return };
+            match (self.round.get_untracked(), &run.drive) {
+                (Round::Solved, Some(drive)) => self.solved.update(|playback| playback.tick(dt_s, drive)),
+                _ => self.playback.update(|playback| playback.tick(dt_s, &run.trace)),
+            }
+        });
+    }
+
+    /// Changes the maze. Returns whether anything changed.
+    pub fn edit(self, edit: Edit) -> bool {
+        let changed = self.history.try_update(|history| history.apply(edit)).unwrap_or(false);
+        if changed {
+            self.maze_changed();
+        }
+        changed
+    }
+
+    /// Takes the last edit back.
+    pub fn undo(self) {
+        if self.history.try_update(History::undo).unwrap_or(false) {
+            self.maze_changed();
+        }
+    }
+
+    /// Makes the last edit again.
+    pub fn redo(self) {
+        if self.history.try_update(History::redo).unwrap_or(false) {
+            self.maze_changed();
+        }
+    }
+
+    /// Opens another maze; the one before can be had back by undo.
+    pub fn open(self, maze: Maze) {
+        self.edit(Edit::Replace(Box::new(maze)));
+    }
+
+    /// Opens what a link holds. It is not kept as the user's own until it is changed.
+    pub fn borrow(self, maze: Maze, settings: Settings, stop: u32) {
+        self.open(maze);
+        self.settings.set(settings);
+        self.borrowed.set(true);
+        self.play(Command::Seek(Moment::after(stop)));
+    }
+
+    fn maze_changed(self) {
+        self.borrowed.set(false);
+        self.rewind();
+    }
+
+    /// Changes the settings; the run begins anew.
+    pub fn set(self, change: impl FnOnce(&mut Settings)) {
+        self.settings.update(change);
+        self.rewind();
+    }
+
+    /// Back to the start of round 1.
+    pub fn rewind(self) {
+        self.round.set(Round::Explore);
+        self.lit.set(None);
+        self.playback.update(Playback::rewind);
+        self.solved.update(Playback::rewind);
+    }
+
+    /// Begins round 2.
+    pub fn drive_solved(self) {
+        self.solved.update(Playback::rewind);
+        self.round.set(Round::Solved);
+        self.play(Command::Toggle);
+    }
+
+    /// Says something at the lower edge.
+    pub fn say(self, tone: ToastTone, title: impl Into<String>, text: impl Into<String>) {
+        self.toast.set(Some(Toast { title: title.into(), text: text.into(), tone, action: None }));
+    }
+
+    /// The drawing's name of the bot's north.
+    #[must_use]
+    pub fn north(self) -> Heading {
+        self.maze.with(|maze| maze.start().map_or(Heading::North, |start| start.heading))
+    }
+}

@@ -1,0 +1,138 @@
+//! The stepper: the maze as the run leaves it, what just happened, the bot's memory, the algorithm, time.
+
+use leptos::prelude::*;
+
+use super::state::{Dialog, Lab, Room, Round, lab};
+use crate::maze::Kind;
+
+mod code;
+mod now;
+mod result;
+mod scene;
+mod table;
+pub mod transport;
+
+pub use now::{ErratumNote, Length, Said};
+pub use scene::Stage;
+
+/// The room.
+#[component]
+pub fn StepRoom() -> impl IntoView {
+    let lab = lab();
+    let cannot = Memo::new(move |_| lab.run.with(|run| run.as_ref().err().copied()));
+    view! {
+        <main class="main" id="main" tabindex="-1">
+            <h1 class="vh">"Step"</h1>
+            <section class="stage" aria-label="Maze">
+                <StageBar />
+                <Stage />
+            </section>
+            <div class="side">
+                {move || match cannot.get() {
+                    Some(why) => view! { <CannotRun why=why.to_string() /> }.into_any(),
+                    None => view! {
+                        <now::NowCard />
+                        {move || (lab.round.get() == Round::Explore).then(|| view! { <table::NodeTable /> })}
+                        {move || match lab.round.get() {
+                            Round::Explore => view! { <code::CodeCard /> }.into_any(),
+                            Round::Solved => view! { <result::SolvedCard /> }.into_any(),
+                        }}
+                    }
+                    .into_any(),
+                }}
+            </div>
+        </main>
+        <footer class="transport-bar" aria-label="Run">
+            <transport::Transport />
+        </footer>
+    }
+}
+
+/// The maze's name and size, the legend, robot's eye.
+#[component]
+fn StageBar() -> impl IntoView {
+    let lab = lab();
+    let title = move || {
+        lab.maze.with(|maze| {
+            if maze.about.title.is_empty() { "Untitled maze".to_owned() } else { maze.about.title.clone() }
+        })
+    };
+    let size = move || {
+        lab.maze.with(|maze| {
+            let many = |n: usize, one: &str| format!("{n} {one}{}", if n == 1 { "" } else { "s" });
+            format!("{} of line · {} · {}", many(maze.cells(), "cell"), many(maze.nodes(), "node"), many(maze.loops(), "loop"))
+        })
+    };
+    let wall = move || lab.maze.with(|maze| maze.kind == Kind::Wall);
+    view! {
+        <div class="bar">
+            <b>{title}</b>
+            <span class="hide-s">{size}</span>
+            {move || wall().then(|| view! { <span class="case info">"walls, shown as lines"</span> })}
+            <span class="spacer"></span>
+            <Legend />
+            <button
+                class="btn"
+                aria-pressed=move || lab.robots_eye.get().to_string()
+                title="Show only what the robot has driven over or seen (V)"
+                on:click=move |_| lab.robots_eye.update(|on| *on = !*on)
+            >
+                {super::icons::eye()}
+                <span class="hide-m">"Robot’s eye"</span>
+                <span class="vh">"Robot’s-eye view"</span>
+            </button>
+        </div>
+    }
+}
+
+#[component]
+fn Legend() -> impl IntoView {
+    view! {
+        <span class="legend hide-l" aria-hidden="true">
+            <span>
+                <svg class="maze" width="26" height="14" viewBox="0 0 52 28"><path class="tape" d="M8 14h36" /></svg>
+                "line"
+            </span>
+            <span>
+                <svg class="maze" width="26" height="14" viewBox="0 0 52 28">
+                    <path class="tape" d="M8 14h36" />
+                    <path class="remembered" d="M8 14h36" />
+                </svg>
+                "remembered"
+            </span>
+            <span>
+                <svg class="maze" width="26" height="14" viewBox="0 0 52 28">
+                    <path class="tape" d="M8 14h36" />
+                    <path class="cross-halo" d="M11 7l12 14m0-14l-12 14M31 7l12 14m0-14l-12 14" />
+                    <path class="cross-mark" d="M11 7l12 14m0-14l-12 14M31 7l12 14m0-14l-12 14" />
+                </svg>
+                "crossed out"
+            </span>
+        </span>
+    }
+}
+
+/// Where the bot cannot be put down: why, and the way to the cure.
+#[component]
+fn CannotRun(why: String) -> impl IntoView {
+    let lab = lab();
+    view! {
+        <section class="card" aria-live="polite">
+            <h2>"The bot can’t start"</h2>
+            <div class="pad stack">
+                <p>{why}</p>
+                <div class="row">
+                    <button class="btn primary" on:click=move |_| super::app::go(lab, Room::Draw)>
+                        "Draw it right"
+                    </button>
+                    <button class="btn" on:click=move |_| lab.dialog.set(Some(Dialog::Samples))>"Open a sample"</button>
+                </div>
+            </div>
+        </section>
+    }
+}
+
+/// Opens the glossary at a name.
+pub fn look_up(lab: Lab, name: &'static str) {
+    lab.dialog.set(Some(Dialog::Glossary(Some(name))));
+}

@@ -1,0 +1,66 @@
+//! The algorithm, with the line that ran and the one that runs next.
+
+use leptos::html;
+use leptos::prelude::*;
+
+use super::look_up;
+use crate::explorer::book::code::{LISTING, Listed};
+use crate::explorer::book::glossary::{Token, split};
+use crate::web::state::{Dialog, lab};
+
+/// The card.
+#[component]
+pub fn CodeCard() -> impl IntoView {
+    let lab = lab();
+    let line = |of: fn(&crate::trace::Frame) -> Option<crate::explorer::book::code::Line>| {
+        Memo::new(move |_| lab.frame.with(|frame| frame.as_ref().and_then(of)).map(|line| line.index()))
+    };
+    let (ran, next) = (line(|frame| frame.ran), line(|frame| frame.next));
+    let list = NodeRef::<html::Ol>::new();
+    // The line that ran stays in sight without moving the page.
+    Effect::new(move |_| {
+        let (Some(list), Some(ran)) = (list.get(), ran.get()) else { return };
+        if let Some(row) = list.children().item(ran as u32) {
+            let (top, bottom) = (row.get_bounding_client_rect(), list.get_bounding_client_rect());
+            let off = top.top() - bottom.top();
+            if off < 30.0 || off > bottom.height() - 60.0 {
+                list.set_scroll_top((f64::from(list.scroll_top()) + off - bottom.height() / 2.5) as i32);
+            }
+        }
+    });
+    let row = move |(index, listed): (usize, &'static Listed)| {
+        let is = move |line: Memo<Option<usize>>| line.get() == Some(index);
+        view! {
+            <li class:ran=move || is(ran) class:next=move || is(next) aria-current=move || is(ran).then_some("step")>
+                <span class="ln">{listed.label}</span>
+                <span>{split(listed.text).map(token).collect_view()}</span>
+                <span class="tag">{move || if is(ran) { "ran" } else if is(next) { "next" } else { "" }}</span>
+            </li>
+        }
+    };
+    view! {
+        <section class="card fill" aria-labelledby="code-title">
+            <h2 id="code-title">
+                "The algorithm"
+                <span class="spacer"></span>
+                <button class="btn quiet" on:click=move |_| lab.dialog.set(Some(Dialog::Glossary(None)))>"Glossary (G)"</button>
+            </h2>
+            <ol class="code" node_ref=list tabindex="0" aria-labelledby="code-title">
+                {LISTING.iter().enumerate().map(row).collect_view()}
+            </ol>
+        </section>
+    }
+}
+
+fn token(token: Token<'static>) -> impl IntoView {
+    let lab = lab();
+    match token {
+        Token::Keyword(text) => view! { <b>{text}</b> }.into_any(),
+        Token::Comment(text) => view! { <span class="comment">{text}</span> }.into_any(),
+        Token::Text(text) => text.into_any(),
+        Token::Name(text, entry) => {
+            let name = entry.name;
+            view! { <button class="name" tabindex="-1" on:click=move |_| look_up(lab, name)>{text}</button> }.into_any()
+        }
+    }
+}

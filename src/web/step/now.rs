@@ -1,0 +1,271 @@
+//! What just happened: the case, the sentences, the variables, and where the book errs.
+
+use leptos::prelude::*;
+
+use super::look_up;
+use super::result::ResultCard;
+use crate::explorer::book::errata::{self, Erratum};
+use crate::explorer::book::narrate::{Narration, Span, Tone, narrate};
+use crate::geometry::Turn;
+use crate::trace::{Frame, State};
+use crate::web::state::{Dialog, Round, lab};
+
+/// What is told at the moment that is shown.
+fn narration() -> Memo<Option<Narration>> {
+    let lab = lab();
+    Memo::new(move |_| {
+        lab.run.with(|run| {
+            let run = run.as_ref().ok()?;
+            lab.frame.with(|frame| Some(narrate(&run.trace, frame.as_ref()?)))
+        })
+    })
+}
+
+/// How long the sentences are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Length {
+    /// For the stepper.
+    Full,
+    /// For the projector.
+    Short,
+}
+
+/// The case and the sentences, of either round.
+#[component]
+pub fn Said(length: Length) -> impl IntoView {
+    let lab = lab();
+    let told = narration();
+    move || match lab.round.get() {
+        Round::Solved => view! { <SaidSolved /> }.into_any(),
+        Round::Explore => told
+            .get()
+            .map(|told| {
+                let spans = if length == Length::Full { told.said } else { told.short };
+                view! {
+                    <span class=tone(told.tone)>{told.case}</span>
+                    <p>{spans.into_iter().map(|span| piece(span)).collect_view()}</p>
+                    {(length == Length::Full).then(|| view! { <p class="ref">{told.section}</p> })}
+                }
+            })
+            .into_any(),
+    }
+}
+
+const fn tone(tone: Tone) -> &'static str {
+    match tone {
+        Tone::Now => "case",
+        Tone::Go => "case go",
+        Tone::Bad => "case bad",
+        Tone::Info => "case info",
+    }
+}
+
+/// A piece of a sentence; nodes light up in table and maze.
+fn piece(span: Span) -> impl IntoView {
+    let lab = lab();
+    match span {
+        Span::Text(text) => text.into_owned().into_any(),
+        Span::Strong(text) => view! { <b>{text.into_owned()}</b> }.into_any(),
+        Span::Code(text) => view! { <code>{text.into_owned()}</code> }.into_any(),
+        Span::Way { node, heading } => view! { <span class="mono">{format!("{node}·{heading}")}</span> }.into_any(),
+        Span::Node(node) => view! {
+            <button
+                class="noderef"
+                on:pointerenter=move |_| lab.lit.set(Some(node))
+                on:pointerleave=move |_| lab.lit.set(None)
+                on:focus=move |_| lab.lit.set(Some(node))
+                on:blur=move |_| lab.lit.set(None)
+                on:click=move |_| lab.lit.set(Some(node))
+            >
+                {format!("node {node}")}
+            </button>
+        }
+        .into_any(),
+    }
+}
+
+/// Round 2, in words.
+#[component]
+fn SaidSolved() -> impl IntoView {
+    let lab = lab();
+    move || {
+        let stop = lab.solved.with(|playback| playback.moment().stop);
+        lab.run.with(|run| {
+            let drive = run.as_ref().ok()?.drive.as_ref()?;
+            let list = drive.route.legs.iter().filter(|leg| leg.letter.is_some()).count();
+            let (case, class, text) = match drive.route.leg(stop) {
+                None => ("ROUND 2", "case info", format!("The bot is back at the start and knows its turn list of {list} letters. It explores nothing now.")),
+                Some(leg) => match (leg.turn, leg.letter) {
+                    (None, _) => ("FINISH", "case go", format!("There: {} cells, no U-turn, no dead end.", drive.route.cells())),
+                    (Some(turn), Some(letter)) => {
+                        ("TURN LIST", "case", format!("Node: letter {letter} of {list} is {}, so the bot {}.", turn.letter(), goes(turn)))
+                    }
+                    (Some(turn), None) => ("CORNER", "case info", format!("A corner needs no letter: the bot {}.", goes(turn))),
+                },
+            };
+            Some(view! { <span class=class>{case}</span> <p>{text}</p> })
+        })
+    }
+}
+
+const fn goes(turn: Turn) -> &'static str {
+    match turn {
+        Turn::Straight => "goes straight on",
+        Turn::Right => "turns right",
+        Turn::Left => "turns left",
+        Turn::Back => "turns round",
+    }
+}
+
+/// The card.
+#[component]
+pub fn NowCard() -> impl IntoView {
+    let lab = lab();
+    let playing_fast = move || lab.playing().with(|playback| playback.is_playing() && playback.speed() > 2.0);
+    let at_finish = Memo::new(move |_| {
+        lab.round.get() == Round::Explore && lab.frame.with(|frame| frame.as_ref().is_some_and(|f| f.outcome.is_some()))
+    });
+    view! {
+        <section class="card" aria-labelledby="now-title">
+            <h2 id="now-title">"What just happened"</h2>
+            <div class="now" id="said" role="status" aria-live=move || if playing_fast() { "off" } else { "polite" }>
+                <Said length=Length::Full />
+            </div>
+            {move || at_finish.get().then(|| view! { <ResultCard /> })}
+            {move || (lab.round.get() == Round::Explore).then(|| view! { <Errata /> <Variables /> })}
+        </section>
+    }
+}
+
+/// Notes at the stops and lines where the book errs.
+#[component]
+fn Errata() -> impl IntoView {
+    let lab = lab();
+    let notes = Memo::new(move |_| {
+        lab.run.with(|run| {
+            let Ok(run) = run else { return Vec::new() };
+            lab.frame.with(|frame| {
+                frame.as_ref().map_or_else(Vec::new, |frame| errata::at(frame, run.walk).map(Noted).collect::<Vec<_>>())
+            })
+        })
+    });
+    view! {
+        <For each=move || notes.get() key=|note| note.0.title let:note>
+            <ErratumNote erratum=note.0 />
+        </For>
+        {move || notes.with(|notes| !notes.is_empty()).then(|| view! {
+            <div class="row errata-more">
+                <button class="btn" on:click=move |_| lab.dialog.set(Some(Dialog::Errata))>"All errata"</button>
+            </div>
+        })}
+    }
+}
+
+/// An erratum, the same as itself.
+#[derive(Clone, Copy)]
+struct Noted(&'static Erratum);
+
+impl PartialEq for Noted {
+    fn eq(&self, other: &Self) -> bool {
+        std::ptr::eq(self.0, other.0)
+    }
+}
+
+/// One note.
+#[component]
+pub fn ErratumNote(erratum: &'static Erratum) -> impl IntoView {
+    let slip = |printed: &'static str, meant: &'static str| view! {
+        <dl class="slip">
+            <div><dt>"printed"</dt><dd><del>{printed}</del></dd></div>
+            <div><dt>"meant"</dt><dd><ins>{meant}</ins></dd></div>
+        </dl>
+    };
+    view! {
+        <div class="note errata">
+            <span class="mark info">{crate::web::icons::book()}</span>
+            <div>
+                <p><b>{erratum.title}</b></p>
+                <p class="small">{erratum.section}": "{erratum.text}</p>
+                {erratum.printed.zip(erratum.meant).map(|(printed, meant)| slip(printed, meant))}
+            </div>
+        </div>
+    }
+}
+
+/// A variable: its name, its value, and whether it has changed.
+struct Var {
+    name: &'static str,
+    value: String,
+    changed: bool,
+}
+
+fn var<T: PartialEq + ToString>(name: &'static str, frame: &Frame, of: impl Fn(&State) -> T) -> Var {
+    let (now, before) = (of(&frame.state), of(&frame.before));
+    Var { name, value: now.to_string(), changed: now != before }
+}
+
+/// The variables that matter most.
+fn first(frame: &Frame) -> Vec<Var> {
+    let dir = |state: &State| format!("{} {}", state.bot_dir.index(), state.bot_dir.letter());
+    vec![
+        var("ptr", frame, |state| state.ptr),
+        var("returning", frame, |state| state.returning),
+        var("bot_dir", frame, dir),
+        var("cur_x", frame, |state| state.cur_x),
+        var("cur_y", frame, |state| state.cur_y),
+    ]
+}
+
+/// Clock and sensors.
+fn further(frame: &Frame) -> Vec<Var> {
+    let seen = frame.sighting;
+    let sees = |turn: Turn| seen.is_some_and(|seen| seen.sees(turn));
+    let kind = |name, wanted| Var { name, value: seen.is_some_and(|s| s.seen() == wanted).to_string(), changed: false };
+    let path = |name, turn| Var { name, value: sees(turn).to_string(), changed: false };
+    use crate::event::Seen;
+    vec![
+        var("curr_time", frame, |state| state.curr_time),
+        var("prev_time", frame, |state| state.prev_time),
+        var("time_diff", frame, State::time_diff),
+        path("left_path", Turn::Left),
+        path("right_path", Turn::Right),
+        path("left_path_var", Turn::Left),
+        path("right_path_var", Turn::Right),
+        kind("blank_var", Seen::DeadEnd),
+        kind("junction_var", Seen::Node),
+        kind("finish_var", Seen::Finish),
+    ]
+}
+
+#[component]
+fn Variables() -> impl IntoView {
+    let lab = lab();
+    let chips = move |of: fn(&Frame) -> Vec<Var>| {
+        lab.frame.with(|frame| frame.as_ref().map(of)).unwrap_or_default().into_iter().map(chip).collect_view()
+    };
+    view! {
+        <div class="vars" aria-label="Variables" role="group">{move || chips(first)}</div>
+        <details class="more-vars">
+            <summary>"Clock and sensors"</summary>
+            <div class="vars">{move || chips(further)}</div>
+        </details>
+    }
+}
+
+fn chip(var: Var) -> impl IntoView {
+    let lab = lab();
+    let Var { name, value, changed } = var;
+    view! {
+        <button
+            class="var"
+            class:changed=changed
+            data-var=name
+            title=if changed { "changed here; click for its meaning" } else { "click for its meaning" }
+            on:click=move |_| look_up(lab, name)
+        >
+            <i>{name}</i>
+            <span>{value}</span>
+            {changed.then(|| view! { <span class="vh">"changed"</span> })}
+        </button>
+    }
+}

@@ -1,0 +1,130 @@
+//! The end of a run: the turn list, how good its route is, and round 2.
+
+use leptos::prelude::*;
+
+use crate::maze::Maze;
+use crate::web::browser;
+use crate::web::run_view::Run;
+use crate::web::state::{Dialog, Lab, Round, ToastTone, lab};
+
+fn with_run<T>(lab: Lab, of: impl FnOnce(&Run) -> Option<T>) -> Option<T> {
+    lab.run.with(|run| run.as_ref().ok().and_then(|run| of(run)))
+}
+
+/// What is shown under the sentence when the run is over and the finish was found.
+#[component]
+pub fn ResultCard() -> impl IntoView {
+    let lab = lab();
+    let c_array = RwSignal::new(false);
+    move || {
+        with_run(lab, |run| {
+            let list = run.list.clone()?;
+            let letters = list.to_string();
+            let array = list.c_array(&title(&run.maze));
+            let copied = move |ok: bool| match ok {
+                true => lab.say(ToastTone::Info, "", "Copied."),
+                false => lab.say(ToastTone::Error, "Can’t copy", "This browser gives no access to the clipboard: select the text and copy it by hand."),
+            };
+            let (copy_letters, copy_array) = (letters.clone(), array.clone());
+            Some(view! {
+                <div class="result" id="result">
+                    <Letters />
+                    <Facts />
+                    <div class="row">
+                        <button class="btn primary" on:click=move |_| lab.drive_solved()>"Drive the solved run"</button>
+                        <button class="btn" on:click=move |_| browser::copy(copy_letters.clone(), copied)>"Copy"</button>
+                        <button class="btn" aria-expanded=move || c_array.get().to_string() on:click=move |_| c_array.update(|on| *on = !*on)>"C array"</button>
+                        <button class="btn" on:click=move |_| lab.dialog.set(Some(Dialog::Share))>"Share"</button>
+                    </div>
+                    {move || c_array.get().then(|| {
+                        let (shown, copied_array) = (array.clone(), copy_array.clone());
+                        view! {
+                            <pre class="snip mono" tabindex="0"><code>{shown}</code></pre>
+                            <div class="row"><button class="btn" on:click=move |_| browser::copy(copied_array.clone(), copied)>"Copy the array"</button></div>
+                        }
+                    })}
+                </div>
+            })
+        })
+    }
+}
+
+fn title(maze: &Maze) -> String {
+    if maze.about.title.is_empty() { "untitled maze".to_owned() } else { maze.about.title.clone() }
+}
+
+/// The turn list, a letter a node.
+#[component]
+fn Letters() -> impl IntoView {
+    let lab = lab();
+    let letters = move || {
+        with_run(lab, |run| Some(run.list.as_ref()?.turns().iter().map(|turn| turn.letter()).collect::<Vec<_>>())).unwrap_or_default()
+    };
+    // In round 2 the letter that was used last is marked.
+    let used = move || {
+        let stop = lab.solved.with(|playback| playback.moment().stop);
+        if lab.round.get() == Round::Explore {
+            return None;
+        }
+        with_run(lab, |run| {
+            let legs = &run.drive.as_ref()?.route.legs;
+            legs[..(stop as usize).min(legs.len())].iter().rev().find_map(|leg| leg.letter)
+        })
+    };
+    move || {
+        let letters = letters();
+        if letters.is_empty() {
+            return view! { <p class="small">"The turn list is empty: there is no node on the route, and corners need no letter."</p> }.into_any();
+        }
+        let said: String = letters.iter().collect();
+        view! {
+            <ol class="letters" aria-label=format!("Turn list {said}")>
+                {letters
+                    .into_iter()
+                    .zip(1usize..)
+                    .map(|(letter, i)| view! { <li class:lit=move || used() == Some(i)><b>{letter}</b><span>{format!("node {i}")}</span></li> })
+                    .collect_view()}
+            </ol>
+        }
+        .into_any()
+    }
+}
+
+/// Lengths and their ratio.
+#[component]
+fn Facts() -> impl IntoView {
+    let lab = lab();
+    move || {
+        with_run(lab, |run| {
+            let ratio = run.ratio()?;
+            let judged = if run.route_cells()? == run.shortest? { "as good as any".to_owned() } else { "times the shortest".to_owned() };
+            let fact = |name: &'static str, value: String, unit: String| view! { <div><dt>{name}</dt><dd>{value}<small>{unit}</small></dd></div> };
+            let stops = run.trace.stops();
+            Some(view! {
+                <dl class="facts">
+                    {fact("Route", run.route_cells()?.to_string(), "cells".into())}
+                    {fact("Shortest", run.shortest?.to_string(), "cells".into())}
+                    {fact("Ratio", format!("{ratio:.2}"), judged)}
+                    {fact("Exploration", run.cells(stops).to_string(), "cells".into())}
+                    {fact("Stops", stops.to_string(), String::new())}
+                </dl>
+            })
+        })
+    }
+}
+
+/// The card of round 2.
+#[component]
+pub fn SolvedCard() -> impl IntoView {
+    let lab = lab();
+    view! {
+        <section class="card" aria-labelledby="solved-title">
+            <h2 id="solved-title">"Round 2: the turn list"</h2>
+            <div class="result">
+                <Letters />
+                <Facts />
+                <div class="row"><button class="btn primary" on:click=move |_| lab.round.set(Round::Explore)>"Back to the exploration"</button></div>
+            </div>
+        </section>
+    }
+}

@@ -1,0 +1,292 @@
+//! The maze while a run goes on: line, trails, nodes, bot.
+
+use leptos::html;
+use leptos::prelude::*;
+
+use crate::geometry::{Heading, Point};
+use crate::ink::CellState;
+use crate::maze::Maze;
+use crate::scene::{self, NodeMark, Pose, Trail};
+use crate::web::maze_view::{Bot, Camera, Compass, Label, ZoomButtons, finish_mark, size_of};
+use crate::web::paths::{self, UNIT};
+use crate::web::run_view::Run;
+use crate::web::state::{Lab, Round, lab};
+
+/// More nodes than this are shown without their numbers.
+const NUMBERED: usize = 300;
+
+/// The trails' path data.
+#[derive(Clone, Default, PartialEq)]
+struct Drawn {
+    remembered: String,
+    given_up: String,
+    crossed: String,
+    marks: String,
+}
+
+/// The picture of the run.
+#[component]
+pub fn Stage() -> impl IntoView {
+    let lab = lab();
+    let frame = NodeRef::<html::Div>::new();
+    let bounds = Memo::new(move |_| lab.maze.with(|maze| maze.bounds()));
+    let camera = Camera::new(size_of(frame), bounds, 100.0);
+    let stop = Memo::new(move |_| lab.moment.get().stop);
+    let drawn = Memo::new(move |_| with_run(lab, |run| draw_trails(run, stop.get())));
+    let drag = RwSignal::new(None::<(i32, f64, f64)>);
+    let on_wheel = move |event: web_sys::WheelEvent| {
+        if event.ctrl_key() || lab.projector.get_untracked() || !camera.is_fitted() {
+            event.prevent_default();
+            let factor = (-event.delta_y() / 400.0).exp();
+            camera.zoom(factor, Some((f64::from(event.offset_x()), f64::from(event.offset_y()))));
+        }
+    };
+    view! {
+        <div
+            class="canvas"
+            node_ref=frame
+            class:zoomed=move || !camera.is_fitted()
+            on:wheel=on_wheel
+            on:pointerdown=move |event| {
+                if !camera.is_fitted() {
+                    drag.set(Some((event.pointer_id(), f64::from(event.client_x()), f64::from(event.client_y()))));
+                }
+            }
+            on:pointermove=move |event| {
+                let (x, y) = (f64::from(event.client_x()), f64::from(event.client_y()));
+                if let Some((id, from_x, from_y)) = drag.get_untracked().filter(|drag| drag.0 == event.pointer_id()) {
+                    camera.pan(x - from_x, y - from_y);
+                    drag.set(Some((id, x, y)));
+                }
+            }
+            on:pointerup=move |_| drag.set(None)
+            on:pointercancel=move |_| drag.set(None)
+        >
+            <svg
+                class="maze"
+                viewBox=move || camera.view_box()
+                role="img"
+                aria-label=move || describe(lab, stop.get())
+                data-stop=move || stop.get()
+                data-crossed=move || with_run(lab, |run| run.ink.crossed_cells(stop.get()))
+            >
+                <Defs />
+                <Floor />
+                <path class="tape" d=move || tape(lab, stop.get()) />
+                {move || (lab.round.get() == Round::Explore).then(|| view! {
+                    <path class="remembered" d=move || drawn.with(|d| d.remembered.clone()) />
+                    <path class="given-up" d=move || drawn.with(|d| d.given_up.clone()) />
+                    <path class="crossed" stroke="url(#crosses)" d=move || drawn.with(|d| d.crossed.clone()) />
+                    <Driving />
+                })}
+                {move || (lab.round.get() == Round::Solved).then(|| view! { <path class="route" d=move || route(lab) /> })}
+                <Ends camera=camera />
+                <Nodes camera=camera />
+                <Bot pose=Signal::derive(move || pose(lab)) pixel=Signal::derive(move || camera.pixel()) />
+            </svg>
+            <Compass north=Signal::derive(move || lab.north()) />
+            <span class="zoom"><ZoomButtons camera=camera /></span>
+        </div>
+    }
+}
+
+/// Something about the run; the default where there is none.
+fn with_run<T: Default>(lab: Lab, of: impl FnOnce(&Run) -> T) -> T {
+    lab.run.with(|run| run.as_ref().map_or_else(|_| T::default(), |run| of(run)))
+}
+
+/// Patterns: crosses on every cell, dots on every lattice point.
+#[component]
+fn Defs() -> impl IntoView {
+    let cross = |x: i32, y: i32| format!("M{} {}l12 12m0-12l-12 12", x - 6, y - 6);
+    let marks = [(13, 40), (67, 40), (40, 13), (40, 67)].map(|(x, y)| cross(x, y)).join("");
+    let halo = marks.clone();
+    view! {
+        <defs>
+            <pattern id="crosses" width=UNIT height=UNIT x=-UNIT / 2 y=-UNIT / 2 patternUnits="userSpaceOnUse">
+                <path class="cross-halo" d=halo />
+                <path class="cross-mark" d=marks />
+            </pattern>
+            <pattern id="dots" width=UNIT height=UNIT x=-UNIT / 2 y=-UNIT / 2 patternUnits="userSpaceOnUse">
+                <circle class="dot" cx="40" cy="40" r="1.8" />
+            </pattern>
+        </defs>
+    }
+}
+
+/// The lattice's points; the robot does not see them.
+#[component]
+fn Floor() -> impl IntoView {
+    let lab = lab();
+    let rect = move || lab.maze.with(|maze| {
+        let bounds = maze.bounds();
+        let at = |v: i32| v * UNIT;
+        let (w, h) = (bounds.width() as i32 * UNIT, bounds.height() as i32 * UNIT);
+        view! { <rect x=at(bounds.sw().x) - UNIT / 2 y=-at(bounds.ne().y) - UNIT / 2 width=w height=h fill="url(#dots)" /> }
+    });
+    move || (!lab.robots_eye.get()).then(rect)
+}
+
+/// The line: all of it, or what the robot has seen.
+fn tape(lab: Lab, stop: u32) -> String {
+    if !lab.robots_eye.get() {
+        return lab.maze.with(|maze| {
+            let bounds = maze.bounds();
+            paths::cells((bounds.sw(), bounds.ne()), |at, heading| maze.has_line(at, heading))
+        });
+    }
+    with_run(lab, |run| {
+        let bounds = run.maze.bounds();
+        let stop = if lab.round.get() == Round::Solved { run.trace.stops() } else { stop };
+        let driven = |at, heading| run.ink.cell((at, heading), stop) != CellState::Clean;
+        let mut data = paths::cells((bounds.sw(), bounds.ne()), driven);
+        for (at, ways) in scene::seen_points(&run.maze, &run.ink, stop) {
+            for heading in ways.iter().filter(|&heading| !driven(at, heading)) {
+                let (dx, dy) = heading.vector();
+                let (x, y) = (at.x * UNIT, -at.y * UNIT);
+                data.push_str(&format!("M{x} {y}l{} {}", dx * UNIT * 2 / 5, -dy * UNIT * 2 / 5));
+            }
+        }
+        data
+    })
+}
+
+fn draw_trails(run: &Run, stop: u32) -> Drawn {
+    let bounds = run.maze.bounds();
+    let corners = (bounds.sw(), bounds.ne());
+    let index = |at: Point, heading: Heading| bounds.index(at).map(|i| i * 2 + usize::from(heading.index()));
+    let mut trail = vec![None; bounds.len() * 2];
+    for ((at, heading), shown) in scene::trails(&run.maze, &run.trace, &run.ink, stop) {
+        if let Some(index) = index(at, heading) {
+            trail[index] = Some(shown);
+        }
+    }
+    let shown = |wanted: Trail| {
+        paths::cells(corners, |at, heading| index(at, heading).is_some_and(|i| trail[i] == Some(wanted)))
+    };
+    Drawn {
+        remembered: shown(Trail::Remembered),
+        given_up: shown(Trail::GivenUp),
+        crossed: shown(Trail::Crossed),
+        marks: String::new(),
+    }
+}
+
+/// The drive that goes on: remembered as the bot goes, or crossed out behind it.
+#[component]
+fn Driving() -> impl IntoView {
+    let lab = lab();
+    let path = Memo::new(move |_| {
+        let (along, stop) = lab.playback.with(|playback| (playback.along(), playback.moment().stop));
+        if along == 0.0 {
+            return (String::new(), false);
+        }
+        with_run(lab, |run| {
+            let pose = scene::pose(&run.trace, &run.ink, stop, along);
+            let (from, unit) = (run.ink.place(stop), f64::from(UNIT));
+            let data = format!("M{} {}L{:.1} {:.1}", from.x * UNIT, -from.y * UNIT, pose.x * unit, -pose.y * unit);
+            (data, run.trace.state(stop).returning)
+        })
+    });
+    view! {
+        <path
+            class=move || if path.with(|path| path.1) { "crossed" } else { "remembered" }
+            stroke=move || path.with(|path| path.1.then_some("url(#crosses)"))
+            d=move || path.with(|path| path.0.clone())
+        />
+    }
+}
+
+fn route(lab: Lab) -> String {
+    with_run(lab, |run| {
+        run.drive.as_ref().map_or_else(String::new, |drive| {
+            paths::line([drive.route.start].into_iter().chain(drive.route.legs.iter().map(|leg| leg.at)))
+        })
+    })
+}
+
+fn pose(lab: Lab) -> Pose {
+    let (along, stop) = lab.playing().with(|playback| (playback.along(), playback.moment().stop));
+    let posed = lab.run.with(|run| {
+        let run = run.as_ref().ok()?;
+        Some(match (lab.round.get(), &run.drive) {
+            (Round::Solved, Some(drive)) => scene::route_pose(&drive.route, run.ink.north(), stop, along),
+            _ => scene::pose(&run.trace, &run.ink, stop, along),
+        })
+    });
+    posed.unwrap_or_else(|| {
+        let start = lab.maze.with(|maze| maze.start());
+        let at = start.map_or_else(Point::default, |start| start.at);
+        let degrees = start.map_or(0.0, |start| f64::from(start.heading.index()) * 90.0);
+        Pose { x: f64::from(at.x), y: f64::from(at.y), degrees }
+    })
+}
+
+/// Start and finish.
+#[component]
+fn Ends(camera: Camera) -> impl IntoView {
+    let lab = lab();
+    let known = move |at: Point| {
+        !lab.robots_eye.get() || with_run(lab, |run| run.solved() && run.ink.place(lab.moment.get().stop) == at)
+    };
+    move || {
+        let pixel = camera.pixel();
+        lab.maze.with(|maze: &super::super::run_view::Same<Maze>| {
+            let finish: Vec<Point> = maze.finish().iter().copied().filter(|&at| known(at)).collect();
+            let start = maze.start().map(|start| {
+                let (x, y) = (f64::from(start.at.x * UNIT), f64::from(-start.at.y * UNIT));
+                view! { <Label x=x + 12.0 + 5.0 * pixel y=y + 3.0 pixel=pixel text="start" /> }
+            });
+            view! {
+                {finish.into_iter().enumerate().map(|(i, at)| finish_mark(at, i == 0, pixel)).collect_view()}
+                {start}
+            }
+        })
+    }
+}
+
+/// The remembered nodes.
+#[component]
+fn Nodes(camera: Camera) -> impl IntoView {
+    let lab = lab();
+    let nodes = Memo::new(move |_| match lab.round.get() {
+        Round::Explore => with_run(lab, |run| scene::nodes(&run.trace, &run.ink, lab.moment.get())),
+        Round::Solved => with_run(lab, |run| scene::nodes(&run.trace, &run.ink, run.trace.end())),
+    });
+    let here = Memo::new(move |_| lab.frame.with(|frame| frame.as_ref().map_or(0, |frame| frame.node)));
+    let numbered = move || camera.view().scale >= 16.0 && nodes.with(Vec::len) <= NUMBERED;
+    view! {
+        <For each=move || nodes.get() key=|node| (node.number, node.at) let:node>
+            <NodeDisc node=node here=here numbered=Signal::derive(numbered) />
+        </For>
+    }
+}
+
+#[component]
+fn NodeDisc(node: NodeMark, here: Memo<u32>, numbered: Signal<bool>) -> impl IntoView {
+    let lab = lab();
+    let number = node.number;
+    view! {
+        <g
+            class="node"
+            class:lit=move || lab.lit.get() == Some(number)
+            class:here=move || here.get() == number
+            data-node=number
+            transform=format!("translate({} {})", node.at.x * UNIT, -node.at.y * UNIT)
+            on:pointerenter=move |_| lab.lit.set(Some(number))
+            on:pointerleave=move |_| lab.lit.set(None)
+        >
+            <circle class="disc" r="17" />
+            {move || numbered.get().then(|| view! { <text y="6">{number}</text> })}
+        </g>
+    }
+}
+
+/// The picture in words.
+fn describe(lab: Lab, stop: u32) -> String {
+    with_run(lab, |run| {
+        let at = run.ink.place(stop);
+        let crossed = run.ink.crossed_cells(stop);
+        format!("Maze at stop {stop} of {}: the bot is at {at}; {crossed} cells are crossed out", run.trace.stops())
+    })
+}

@@ -1,0 +1,283 @@
+//! Time: the buttons, the scrubber with its event markers, the counter, and what a step is.
+
+use leptos::html;
+use leptos::prelude::*;
+
+use crate::playback::{Command, Mark, SPEEDS, Timeline, Unit};
+use crate::trace::Moment;
+use crate::web::icons;
+use crate::web::state::{Lab, Round, lab};
+
+/// The whole bar.
+#[component]
+pub fn Transport() -> impl IntoView {
+    view! {
+        <Buttons />
+        <Scrubber />
+        <div class="transport-more">
+            <Counter />
+            <EventPicker />
+            <UnitPicker />
+            <SpeedPicker />
+        </div>
+    }
+}
+
+/// To start, back, play, forward, to end.
+#[component]
+pub fn Buttons() -> impl IntoView {
+    let lab = lab();
+    let playing = move || lab.playing().with(|playback| playback.is_playing());
+    let dead = move || lab.run.with(Result::is_err);
+    let button = move |label: &'static str, command: Command, icon: AnyView| {
+        view! {
+            <button aria-label=label title=label disabled=dead on:click=move |_| lab.play(command)>
+                {icon}
+            </button>
+        }
+    };
+    view! {
+        <div class="transport" role="group" aria-label="Transport">
+            {button("To start (Home)", Command::ToStart, icons::to_start().into_any())}
+            {button("Back (←)", Command::Back, icons::back().into_any())}
+            <button
+                class="play"
+                aria-label=move || if playing() { "Pause (Space)" } else { "Play (Space)" }
+                disabled=dead
+                on:click=move |_| lab.play(Command::Toggle)
+            >
+                {move || if playing() { icons::pause().into_any() } else { icons::play().into_any() }}
+            </button>
+            {button("Forward (→)", Command::Forward, icons::forward().into_any())}
+            {button("To end (End)", Command::ToEnd, icons::to_end().into_any())}
+        </div>
+    }
+}
+
+/// Stops of what is played.
+fn stops(lab: Lab) -> u32 {
+    timeline(lab, 0, |line| line.stops())
+}
+
+/// Something about what is played; `default` where there is nothing.
+fn timeline<T>(lab: Lab, default: T, of: impl FnOnce(&dyn DynTimeline) -> T) -> T {
+    lab.run.with(|run| match run {
+        Err(_) => default,
+        Ok(run) => match (lab.round.get(), &run.drive) {
+            (Round::Solved, Some(drive)) => of(drive),
+            _ => of(&run.trace),
+        },
+    })
+}
+
+/// What the scrubber asks of either timeline.
+trait DynTimeline {
+    fn stops(&self) -> u32;
+    fn mark(&self, stop: u32) -> Mark;
+}
+
+impl<T: Timeline> DynTimeline for T {
+    fn stops(&self) -> u32 {
+        Timeline::stops(self)
+    }
+    fn mark(&self, stop: u32) -> Mark {
+        Timeline::mark(self, stop)
+    }
+}
+
+/// The time line: drag it, click it, or use it as a slider.
+#[component]
+fn Scrubber() -> impl IntoView {
+    let lab = lab();
+    let track = NodeRef::<html::Div>::new();
+    let hover = RwSignal::new(None::<(u32, f64)>);
+    let dragging = RwSignal::new(false);
+    let count = Memo::new(move |_| stops(lab));
+    let at = move || lab.playing().with(|playback| f64::from(playback.moment().stop) + playback.along());
+    let percent = move |stop: f64| format!("{:.3}%", stop / f64::from(count.get().max(1)) * 100.0);
+    let stop_under = move |event: &web_sys::PointerEvent| {
+        let rect = track.get_untracked()?.get_bounding_client_rect();
+        let share = ((f64::from(event.client_x()) - rect.left()) / rect.width().max(1.0)).clamp(0.0, 1.0);
+        Some(((share * f64::from(count.get_untracked())).round() as u32, share * 100.0))
+    };
+    let seek = move |event: &web_sys::PointerEvent| {
+        if let Some((stop, _)) = stop_under(event) {
+            lab.play(Command::Seek(Moment::after(stop)));
+        }
+    };
+    view! {
+        <div
+            class="time"
+            role="slider"
+            tabindex="0"
+            aria-label="Stop"
+            aria-valuemin="0"
+            aria-valuemax=move || count.get()
+            aria-valuenow=move || lab.playing().with(|playback| playback.moment().stop)
+            aria-valuetext=move || said(lab, lab.playing().with(|playback| playback.moment().stop))
+            on:pointerdown=move |event| {
+                if let Some(element) = track.get_untracked() {
+                    let _ = element.set_pointer_capture(event.pointer_id());
+                }
+                dragging.set(true);
+                seek(&event);
+            }
+            on:pointermove=move |event| {
+                hover.set(stop_under(&event));
+                if dragging.get_untracked() {
+                    seek(&event);
+                }
+            }
+            on:pointerup=move |_| dragging.set(false)
+            on:pointercancel=move |_| dragging.set(false)
+            on:pointerleave=move |_| hover.set(None)
+        >
+            <div class="track" node_ref=track>
+                <div class="fill" style:width=move || percent(at())></div>
+                <Markers count=count />
+                <div class="thumb" style:left=move || percent(at())></div>
+                {move || hover.get().map(|(stop, left)| view! {
+                    <div class="tip" style:left=format!("{left:.2}%") aria-hidden="true">{said(lab, stop)}</div>
+                })}
+            </div>
+        </div>
+    }
+}
+
+/// A stop in a few words.
+fn said(lab: Lab, stop: u32) -> String {
+    let what = timeline(lab, "", |line| match line.mark(stop) {
+        Mark::Plain if stop == 0 => "start",
+        Mark::Plain => "corner",
+        Mark::Node => "node",
+        Mark::DeadEnd => "dead end",
+        Mark::Known => "RETURN-KNOWN",
+        Mark::Unknown => "RETURN-UNKNOWN",
+        Mark::End => "end",
+    });
+    let node = lab.run.with(|run| {
+        let explore = lab.round.get() == Round::Explore;
+        run.as_ref().ok().filter(|_| explore).and_then(|run| run.trace.step(stop)).map_or(0, |step| step.node())
+    });
+    if node > 0 { format!("stop {stop}: {what} · node {node}") } else { format!("stop {stop}: {what}") }
+}
+
+/// Most markers of a kind that are drawn: with more of them, they are thinned out.
+const MARKERS: u32 = 400;
+
+/// The events on the time line, one path a kind: disc, bar, ring, triangle, square.
+#[component]
+fn Markers(count: Memo<u32>) -> impl IntoView {
+    let lab = lab();
+    let marks = Memo::new(move |_| {
+        let count = count.get();
+        let every = count.div_ceil(MARKERS).max(1);
+        let mut found: Vec<(Mark, f64)> = Vec::new();
+        for stop in 1..=count {
+            let mark = timeline(lab, Mark::Plain, |line| line.mark(stop));
+            if mark != Mark::Plain && (mark == Mark::End || stop % every == 0) {
+                found.push((mark, f64::from(stop) / f64::from(count) * 100.0));
+            }
+        }
+        found
+    });
+    view! {
+        <svg aria-hidden="true">
+            {move || marks.get().into_iter().map(|(mark, at)| marker(mark, at)).collect_view()}
+        </svg>
+    }
+}
+
+fn marker(mark: Mark, at: f64) -> impl IntoView {
+    let at = format!("{at:.3}%");
+    match mark {
+        Mark::Plain => ().into_any(),
+        Mark::Node => view! {
+            <svg x=at overflow="visible"><g class="m-node"><circle cy="5" r="4" /><rect x="-1" y="5" width="2" height="23" /></g></svg>
+        }
+        .into_any(),
+        Mark::DeadEnd => view! {
+            <svg x=at overflow="visible"><g class="m-dead"><rect x="-5" y="2" width="10" height="4" /><rect x="-1" y="5" width="2" height="23" /></g></svg>
+        }
+        .into_any(),
+        Mark::Known => view! {
+            <svg x=at overflow="visible"><g class="m-known"><rect x="-.75" y="11" width="1.5" height="17" /></g></svg>
+        }
+        .into_any(),
+        Mark::Unknown => view! {
+            <svg x=at overflow="visible"><g class="m-unk"><path d="M0 0l5 9h-10z" /><rect x="-1.5" y="8" width="3" height="20" /></g></svg>
+        }
+        .into_any(),
+        Mark::End => view! {
+            <svg x=at overflow="visible"><g class="m-end"><rect x="-4" y="1" width="8" height="8" /><rect x="-2" y="8" width="4" height="20" /></g></svg>
+        }
+        .into_any(),
+    }
+}
+
+/// Where the run is, in numbers.
+#[component]
+pub fn Counter() -> impl IntoView {
+    let lab = lab();
+    let stop = move || lab.playing().with(|playback| playback.moment().stop);
+    let cells = move || {
+        lab.run.with(|run| match (run, lab.round.get()) {
+            (Ok(run), Round::Explore) => format!(" · {} of {} cells", run.cells(stop()), run.cells(run.trace.stops())),
+            _ => String::new(),
+        })
+    };
+    view! { <div class="count" id="count">"stop "<b>{stop}</b>" / "{move || stops(lab)}<span class="hide-l">{cells}</span></div> }
+}
+
+/// To the next event of a kind.
+#[component]
+fn EventPicker() -> impl IntoView {
+    let lab = lab();
+    let kind = RwSignal::new(None::<Mark>);
+    let choose = move |event: web_sys::Event| {
+        let index: usize = event_target_value(&event).parse().unwrap_or(0);
+        kind.set(index.checked_sub(1).and_then(|index| Mark::NAMED.get(index)).map(|(mark, _)| *mark));
+    };
+    view! {
+        <span class="group">
+            <select class="input" aria-label="Kind of event" on:change=choose>
+                <option value="0">"any event"</option>
+                {Mark::NAMED.iter().zip(1..).map(|((_, name), i)| view! { <option value=i>{*name}</option> }).collect_view()}
+            </select>
+            <button class="btn icon" aria-label="Next event (N)" title="Next event of this kind (N; Shift+N back)" on:click=move |_| lab.play(Command::NextEvent(kind.get_untracked()))>
+                {icons::next_event()}
+            </button>
+        </span>
+    }
+}
+
+/// By stop or by line.
+#[component]
+fn UnitPicker() -> impl IntoView {
+    let lab = lab();
+    let button = move |unit: Unit, name: &'static str| {
+        let chosen = move || lab.playing().with(|playback| playback.unit() == unit);
+        view! { <button aria-pressed=move || chosen().to_string() on:click=move |_| lab.play(Command::StepBy(unit))>{name}</button> }
+    };
+    view! {
+        <div class="seg" role="group" aria-label="A step is">
+            {button(Unit::Stop, "Stops")}
+            {button(Unit::Line, "Lines")}
+        </div>
+    }
+}
+
+#[component]
+fn SpeedPicker() -> impl IntoView {
+    let lab = lab();
+    let choose = move |event: web_sys::Event| {
+        if let Ok(speed) = event_target_value(&event).parse() {
+            lab.play(Command::Speed(speed));
+        }
+    };
+    view! {
+        <select class="input" aria-label="Speed" title="Speed; 1× is the robot’s own pace" on:change=choose prop:value=move || lab.playing().with(|playback| playback.speed().to_string())>
+            {SPEEDS.map(|speed| view! { <option value=speed.to_string()>{format!("{speed}×")}</option> }).into_iter().collect_view()}
+        </select>
+    }
+}

@@ -1,0 +1,78 @@
+//! A browser for tests, with its driver, and Node.js for the tools that are written for it.
+
+use std::env;
+use std::ffi::OsString;
+use std::path::PathBuf;
+use std::process::{Command, Stdio};
+
+use anyhow::{Context, Result, bail};
+
+use crate::shell::{Shell, run};
+use crate::tools::say;
+
+/// Where the browser and its driver are.
+#[derive(Debug, Clone)]
+pub(crate) struct Browser {
+    pub(crate) chromium: PathBuf,
+    pub(crate) driver: PathBuf,
+}
+
+/// Finds Chromium and chromedriver; on Debian it installs them if need be.
+pub(crate) fn browser(shell: &Shell) -> Result<Browser> {
+    if let Some(browser) = find(shell) {
+        return Ok(browser);
+    }
+    apt_install(shell, "Chromium, for the tests in a browser", &["chromium", "chromium-driver"]).context(
+        "Tests in a browser need Chromium (or Chrome) and a chromedriver of the same version. \
+         Install both, so that `chromium --version` and `chromedriver --version` answer, \
+         or set CHROMIUM and CHROMEDRIVER to their paths",
+    )?;
+    find(shell).context("Chromium was installed, but isn't on the PATH")
+}
+
+/// Sees to it that node and npm are there.
+pub(crate) fn node(shell: &Shell) -> Result<()> {
+    if shell.find("node").is_some() && shell.find("npm").is_some() {
+        return Ok(());
+    }
+    apt_install(shell, "Node.js, for tools of the build", &["nodejs", "npm"])
+        .context("The build needs Node.js 18 or newer with npm; https://nodejs.org has it for every system")
+}
+
+fn find(shell: &Shell) -> Option<Browser> {
+    let chromium = named("CHROMIUM").or_else(|| {
+        ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable"]
+            .iter()
+            .find_map(|name| shell.find(name))
+    })?;
+    let driver = named("CHROMEDRIVER").or_else(|| shell.find("chromedriver"))?;
+    Some(Browser { chromium, driver })
+}
+
+fn named(variable: &str) -> Option<PathBuf> {
+    env::var_os(variable).filter(|path: &OsString| !path.is_empty()).map(PathBuf::from)
+}
+
+fn apt_install(shell: &Shell, what: &str, packages: &[&str]) -> Result<()> {
+    if shell.find("apt-get").is_none() {
+        bail!("this is no Debian, so it can't be installed from here");
+    }
+    say(&format!("Installing {what} (some minutes)"));
+    run(apt_get(shell)?.args(["update", "-qq"])).context("no list of packages: is there a network?")?;
+    run(apt_get(shell)?.args(["install", "-y", "-qq", "--no-install-recommends"]).args(packages))
+}
+
+/// `apt-get` with the rights to install.
+fn apt_get(shell: &Shell) -> Result<Command> {
+    let mut command = if shell.ask("id", &["-u"]).as_deref() == Some("0") {
+        shell.command("apt-get")
+    } else if shell.ask("sudo", &["-n", "true"]).is_some() {
+        let mut sudo = shell.command("sudo");
+        sudo.args(["-n", "apt-get"]);
+        sudo
+    } else {
+        bail!("installing needs the rights of root, and sudo wants a password");
+    };
+    command.env("DEBIAN_FRONTEND", "noninteractive").stdin(Stdio::null()).stdout(Stdio::null());
+    Ok(command)
+}
