@@ -17,6 +17,7 @@ pub mod json;
 mod polyline;
 pub mod samples;
 mod scale;
+pub mod svg;
 pub mod text;
 
 pub use bounds::{Bounds, BoundsError, MAX_COORDINATE, MAX_SIDE};

@@ -6,6 +6,7 @@ use line_maze_lab::geometry::Point;
 use line_maze_lab::maze::generate::{Recipe, RecipeError, generate};
 use line_maze_lab::maze::{Kind, Maze, checks, text};
 use line_maze_lab::route::best;
+use line_maze_lab::settings::Pace;
 use proptest::prelude::*;
 
 fn dead_ends(maze: &Maze) -> usize {
@@ -84,7 +85,7 @@ fn shares_do_what_they_say() {
     let cut = generate(&Recipe { dead_ends_cut_percent: 50, ..recipe }).unwrap();
     assert!(dead_ends(&tree) > 60, "a tree with branches: {}", dead_ends(&tree));
     assert!(dead_ends(&cut).abs_diff(dead_ends(&tree) / 2) <= 1);
-    let far = best::shortest_cells(&tree, tree.start().unwrap().at).unwrap();
+    let far = best::shortest(&tree, tree.start().unwrap(), &Pace::default()).unwrap().cells;
     assert!(far > 50, "the finish is {far} cells away");
 }
 
