@@ -4,10 +4,11 @@
 //! drawn; [`world`] lets a robot drive in it; an [`explorer`] is a robot's mind; [`run`] brings them together
 //! and writes a [`trace`]; [`ink`] and [`route`] say what that means on the floor, [`report`] in numbers;
 //! [`playback`] moves through it in time.
-#![no_std]
+// The page is written against std; the core and everything that a board runs is not.
+#![cfg_attr(not(feature = "web"), no_std)]
 
 extern crate alloc;
-#[cfg(any(test, feature = "cli", feature = "web"))]
+#[cfg(all(any(test, feature = "cli"), not(feature = "web")))]
 extern crate std;
 
 pub mod event;
@@ -24,4 +25,6 @@ pub mod scene;
 pub mod settings;
 pub mod share;
 pub mod trace;
+#[cfg(feature = "web")]
+pub mod web;
 pub mod world;

@@ -2,6 +2,9 @@
 //!
 //! No algorithm lives here; what the views show is worked out in the core.
 
+// The component macro makes a public struct of every component's props.
+#![allow(missing_docs, unreachable_pub)]
+
 pub mod app;
 pub mod browser;
 pub mod clock;

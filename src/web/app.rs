@@ -9,7 +9,7 @@ use super::projector::Projector;
 use super::state::{Lab, Room, ToastTone};
 use super::step::StepRoom;
 use super::{browser, clock, dialogs, draw, keys, storage};
-use crate::maze::{file, samples};
+use crate::maze::{file, samples, text};
 use crate::playback::Motion;
 use crate::share;
 
@@ -30,7 +30,8 @@ pub fn App() -> impl IntoView {
     keys::listen(lab);
     take_files(lab);
     listen_for_updates(lab);
-    let on_hash = window_event_listener(leptos::ev::hashchange, move |_| follow_address(lab, browser::hash().as_str()));
+    let on_hash =
+        window_event_listener(leptos::ev::hashchange, move |_| follow_address(lab, browser::hash().as_str()));
     on_cleanup(move || on_hash.remove());
     view! {
         <div class="app" class:projecting=move || lab.projector.get()>
@@ -98,7 +99,13 @@ fn keep(lab: Lab) {
             }
         }
     });
-    Effect::new(move |_| lab.settings.with(|settings| if !lab.borrowed.get() { storage::keep_settings(settings) }));
+    Effect::new(move |_| {
+        lab.settings.with(|settings| {
+            if !lab.borrowed.get() {
+                storage::keep_settings(settings)
+            }
+        })
+    });
 }
 
 /// Sets the theme on the root element, and follows the system where that is chosen.
@@ -140,15 +147,23 @@ pub fn open_bytes(lab: Lab, name: &str, bytes: &[u8]) {
 /// Opens a file that the user chose or dropped.
 pub fn open_file(lab: Lab, file: &web_sys::File) {
     let (name, size) = (file.name(), file.size());
-    if size > file::MAX_BYTES as f64 {
-        let text = format!("It has {:.1} MiB; a maze file has at most {} MiB.", size / 1_048_576.0, file::MAX_BYTES >> 20);
+    if size > text::MAX_BYTES as f64 {
+        let text = format!(
+            "It has {:.1} MiB; a maze file has at most {} MiB.",
+            size / 1_048_576.0,
+            text::MAX_BYTES >> 20
+        );
         return lab.say(ToastTone::Error, format!("Can’t read {name}"), text);
     }
     let bytes = file.array_buffer();
     leptos::task::spawn_local(async move {
         match wasm_bindgen_futures::JsFuture::from(bytes).await {
             Ok(buffer) => open_bytes(lab, &name, &js_sys::Uint8Array::new(&buffer).to_vec()),
-            Err(_) => lab.say(ToastTone::Error, format!("Can’t read {name}"), "The browser could not read the file. Is it still there?"),
+            Err(_) => lab.say(
+                ToastTone::Error,
+                format!("Can’t read {name}"),
+                "The browser could not read the file. Is it still there?",
+            ),
         }
     });
 }
@@ -167,12 +182,12 @@ fn take_files(lab: Lab) {
             open_file(lab, &file);
         }
     });
-    let paste = window_event_listener(leptos::ev::paste, move |event: web_sys::Event| {
-        let event = event.unchecked_into::<web_sys::ClipboardEvent>();
+    let paste = window_event_listener(leptos::ev::paste, move |event| {
         if keys::is_typing(event.target()) {
             return;
         }
-        let text = event.clipboard_data().and_then(|data| data.get_data("text/plain").ok()).unwrap_or_default();
+        let text =
+            event.clipboard_data().and_then(|data| data.get_data("text/plain").ok()).unwrap_or_default();
         if !text.trim().is_empty() {
             event.prevent_default();
             open_text(lab, &text);

@@ -67,7 +67,9 @@ pub fn is_typing(target: Option<EventTarget>) -> bool {
 /// Whether the focused element uses this key itself: buttons and links their Space and Enter, scrolling
 /// places and range inputs their arrows.
 fn is_used_there(event: &KeyboardEvent) -> bool {
-    let Some(element) = event.target().and_then(|target| target.dyn_into::<HtmlElement>().ok()) else { return false };
+    let Some(element) = event.target().and_then(|target| target.dyn_into::<HtmlElement>().ok()) else {
+        return false;
+    };
     let tag = element.tag_name();
     match event.key().as_str() {
         " " | "Enter" => matches!(tag.as_str(), "BUTTON" | "A" | "SUMMARY"),
@@ -82,7 +84,10 @@ fn is_used_there(event: &KeyboardEvent) -> bool {
 /// Listens as long as the page lives.
 pub fn listen(lab: Lab) {
     let handle = window_event_listener(leptos::ev::keydown, move |event| {
-        if event.default_prevented() || is_typing(event.target()) || lab.dialog.with_untracked(Option::is_some) {
+        if event.default_prevented()
+            || is_typing(event.target())
+            || lab.dialog.with_untracked(Option::is_some)
+        {
             return;
         }
         if press(lab, &event) {
@@ -109,7 +114,9 @@ fn press(lab: Lab, event: &KeyboardEvent) -> bool {
         return false;
     }
     everywhere(lab, &key)
-        || (lab.room.get_untracked() == Room::Step && lab.run.with_untracked(Result::is_ok) && step(lab, &key, event))
+        || (lab.room.get_untracked() == Room::Step
+            && lab.run.with_untracked(Result::is_ok)
+            && step(lab, &key, event))
 }
 
 fn with_control(lab: Lab, key: &str, shift: bool) -> bool {

@@ -15,7 +15,8 @@ pub const TILE: i32 = 20;
 /// The tiles that cover a lattice, each by its own corners.
 #[must_use]
 pub fn tiles(bounds: Bounds) -> Vec<(Point, Point)> {
-    let corners = |from: i32, to: i32| (from..=to).step_by(TILE as usize).map(move |at| (at, (at + TILE - 1).min(to)));
+    let corners =
+        |from: i32, to: i32| (from..=to).step_by(TILE as usize).map(move |at| (at, (at + TILE - 1).min(to)));
     let (sw, ne) = (bounds.sw(), bounds.ne());
     let columns = || corners(sw.x, ne.x);
     corners(sw.y, ne.y)
@@ -28,14 +29,24 @@ pub fn tiles(bounds: Bounds) -> Vec<(Point, Point)> {
 pub fn cells((sw, ne): (Point, Point), has: impl Fn(Point, Heading) -> bool) -> String {
     let mut data = String::new();
     for y in sw.y..=ne.y {
-        runs(sw.x, ne.x, |x| has(Point::new(x, y), Heading::East), |from, to| {
-            let _ = write!(data, "M{} {}H{}", from * UNIT, -y * UNIT, to * UNIT);
-        });
+        runs(
+            sw.x,
+            ne.x,
+            |x| has(Point::new(x, y), Heading::East),
+            |from, to| {
+                let _ = write!(data, "M{} {}H{}", from * UNIT, -y * UNIT, to * UNIT);
+            },
+        );
     }
     for x in sw.x..=ne.x {
-        runs(sw.y, ne.y, |y| has(Point::new(x, y), Heading::North), |from, to| {
-            let _ = write!(data, "M{} {}V{}", x * UNIT, -from * UNIT, -to * UNIT);
-        });
+        runs(
+            sw.y,
+            ne.y,
+            |y| has(Point::new(x, y), Heading::North),
+            |from, to| {
+                let _ = write!(data, "M{} {}V{}", x * UNIT, -from * UNIT, -to * UNIT);
+            },
+        );
     }
     data
 }
@@ -62,7 +73,8 @@ fn runs(first: i32, last: i32, has: impl Fn(i32) -> bool, mut run: impl FnMut(i3
 pub fn line(points: impl IntoIterator<Item = Point>) -> String {
     let mut data = String::new();
     for point in points {
-        let _ = write!(data, "{}{} {}", if data.is_empty() { "M" } else { "L" }, point.x * UNIT, -point.y * UNIT);
+        let _ =
+            write!(data, "{}{} {}", if data.is_empty() { "M" } else { "L" }, point.x * UNIT, -point.y * UNIT);
     }
     data
 }

@@ -12,8 +12,11 @@ use crate::web::step::Length;
 pub fn Projector() -> impl IntoView {
     let lab = lab();
     let letters = move || {
-        let over = lab.round.get() == Round::Explore && lab.frame.with(|f| f.as_ref().is_some_and(|f| f.outcome.is_some()));
-        lab.run.with(|run| run.as_ref().ok().filter(|_| over).and_then(|run| run.list.as_ref().map(ToString::to_string)))
+        let over = lab.round.get() == Round::Explore
+            && lab.frame.with(|f| f.as_ref().is_some_and(|f| f.outcome.is_some()));
+        lab.run.with(|run| {
+            run.as_ref().ok().filter(|_| over).and_then(|run| run.list.as_ref().map(ToString::to_string))
+        })
     };
     view! {
         <main class="projector" id="main" tabindex="-1">

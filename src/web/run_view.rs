@@ -74,7 +74,8 @@ impl Run {
         let ink = Ink::of(&maze, &trace, cell_ms);
         let list = TurnList::of(&trace);
         let route = list.as_ref().and_then(|list| Route::drive(&maze, list).ok());
-        let shortest = maze.start().and_then(|start| best::shortest_cells(&maze, start.at));
+        let best = maze.start().and_then(|start| best::shortest(&maze, start, &settings.pace));
+        let shortest = best.map(|best| best.cells);
         let drive = route.map(|route| Drive { route, cell_ms });
         let walk = walk(&maze, settings);
         Ok(Self { maze, trace, ink, cell_ms, drive, list, shortest, walk })

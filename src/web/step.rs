@@ -60,7 +60,12 @@ fn StageBar() -> impl IntoView {
     let size = move || {
         lab.maze.with(|maze| {
             let many = |n: usize, one: &str| format!("{n} {one}{}", if n == 1 { "" } else { "s" });
-            format!("{} of line · {} · {}", many(maze.cells(), "cell"), many(maze.nodes(), "node"), many(maze.loops(), "loop"))
+            format!(
+                "{} of line · {} · {}",
+                many(maze.cells(), "cell"),
+                many(maze.nodes(), "node"),
+                many(maze.loops(), "loop")
+            )
         })
     };
     let wall = move || lab.maze.with(|maze| maze.kind == Kind::Wall);

@@ -33,7 +33,8 @@ impl Viewport {
     /// The whole lattice, as large as it fits, but no cell larger than `most` pixels.
     #[must_use]
     pub fn fit(bounds: Bounds, size: Size, most: f64) -> Self {
-        let (w, h) = (f64::from(bounds.width() - 1) + 2.0 * MARGIN, f64::from(bounds.height() - 1) + 2.0 * MARGIN);
+        let (w, h) =
+            (f64::from(bounds.width() - 1) + 2.0 * MARGIN, f64::from(bounds.height() - 1) + 2.0 * MARGIN);
         let scale = (size.w / w).min(size.h / h).clamp(0.5, most);
         Self {
             x: f64::from(bounds.sw().x + bounds.ne().x) / 2.0,

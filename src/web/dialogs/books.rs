@@ -11,9 +11,7 @@ use crate::web::step::ErratumNote;
 /// All keys.
 #[component]
 pub fn Keys() -> impl IntoView {
-    let key = |keys: &'static str| {
-        keys.split(' ').map(|key| view! { <kbd>{key}</kbd>" " }).collect_view()
-    };
+    let key = |keys: &'static str| keys.split(' ').map(|key| view! { <kbd>{key}</kbd>" " }).collect_view();
     view! {
         <Modal title="Keys">
             <div class="keycols">
@@ -37,18 +35,22 @@ pub fn Glossary(at: Option<&'static str>) -> impl IntoView {
             entry.scroll_into_view();
         }
     });
-    let entry = move |entry: &'static Entry| view! {
-        <div id=id(entry.name) class:lit=at == Some(entry.name)>
-            <dt>{entry.name}</dt>
-            <dd>
-                {entry.meaning}
-                <span class="small">{entry.section}" · "{entry.seen}</span>
-            </dd>
-        </div>
+    let entry = move |entry: &'static Entry| {
+        view! {
+            <div id=id(entry.name) class:lit=at == Some(entry.name)>
+                <dt>{entry.name}</dt>
+                <dd>
+                    {entry.meaning}
+                    <span class="small">{entry.section}" · "{entry.seen}</span>
+                </dd>
+            </div>
+        }
     };
-    let group = move |belongs: Belongs, title: &'static str| view! {
-        <h3>{title}</h3>
-        <dl class="entries">{GLOSSARY.iter().filter(|entry| entry.belongs == belongs).map(entry).collect_view()}</dl>
+    let group = move |belongs: Belongs, title: &'static str| {
+        view! {
+            <h3>{title}</h3>
+            <dl class="entries">{GLOSSARY.iter().filter(|entry| entry.belongs == belongs).map(entry).collect_view()}</dl>
+        }
     };
     view! {
         <Modal title="Glossary">

@@ -64,8 +64,8 @@ fn OrderFields() -> impl IntoView {
         {move || seed().is_some().then(|| view! {
             <NumberField id="seed" label="Seed: the same seed, the same choices" value=Signal::derive(move || seed().map(|seed| seed.to_string()).unwrap_or_default())
                 hint="A whole number, 0 or more"
-                read=|text| text.parse::<u64>().ok()
-                set=move |seed| lab.set(|settings| settings.order = Order::Random(seed)) />
+                read={|text: &str| text.parse::<u64>().ok()}
+                set={move |seed| lab.set(|settings| settings.order = Order::Random(seed))} />
         })}
     }
 }
@@ -77,13 +77,15 @@ fn EpsilonField() -> impl IntoView {
         let settings = Settings { epsilon_ms: None, ..lab.settings.get() };
         lab.maze.with(|maze| settings.epsilon(maze.scale))
     };
-    let value = move || lab.settings.with(|settings| settings.epsilon_ms).map(|ms| ms.to_string()).unwrap_or_default();
+    let value = move || {
+        lab.settings.with(|settings| settings.epsilon_ms).map(|ms| ms.to_string()).unwrap_or_default()
+    };
     view! {
         <NumberField id="epsilon" label="epsilon, ms: nearer than this on both axes is the same node" value=Signal::derive(value)
             placeholder=Signal::derive(move || format!("{}: half a cell", usual()))
             hint="A whole number of milliseconds up to 1,000,000; empty for half a cell"
-            read=|text: &str| if text.is_empty() { Some(None) } else { text.parse().ok().filter(|&ms: &u32| ms <= 1_000_000).map(Some) }
-            set=move |epsilon| lab.set(|settings| settings.epsilon_ms = epsilon) />
+            read={|text: &str| if text.is_empty() { Some(None) } else { text.parse().ok().filter(|&ms: &u32| ms <= 1_000_000).map(Some) }}
+            set={move |epsilon| lab.set(|settings| settings.epsilon_ms = epsilon)} />
     }
 }
 
@@ -94,8 +96,8 @@ fn NodeMaxField() -> impl IntoView {
         <NumberField id="node-max" label="NODE_MAX: nodes that the bot can remember at once" value=Signal::derive(move || lab.settings.with(|settings| settings.node_max).to_string())
             placeholder=Signal::derive(move || NODE_MAX.to_string())
             hint="A whole number from 1 to 1,048,575; the book has 50"
-            read=|text: &str| text.parse().ok().filter(|n| (1..=MAX_NODES).contains(n))
-            set=move |nodes| lab.set(|settings| settings.node_max = nodes) />
+            read={|text: &str| text.parse().ok().filter(|n| (1..=MAX_NODES).contains(n))}
+            set={move |nodes| lab.set(|settings| settings.node_max = nodes)} />
     }
 }
 

@@ -13,7 +13,7 @@ use crate::web::draw;
 use crate::web::state::{Lab, ToastTone, lab};
 
 /// The link to what is shown, if the maze fits into one.
-fn link(lab: Lab) -> Result<String, share::TooBig> {
+fn link(lab: Lab) -> Result<String, share::ShareError> {
     let shared = Shared {
         maze: lab.maze.with(|maze| (**maze).clone()),
         settings: lab.settings.get(),
@@ -43,7 +43,11 @@ fn Link(link: String) -> impl IntoView {
     let to_copy = link.clone();
     let copied = move |ok: bool| match ok {
         true => lab.say(ToastTone::Info, "", "The link is copied."),
-        false => lab.say(ToastTone::Error, "Can’t copy", "This browser gives no access to the clipboard: select the link and copy it by hand."),
+        false => lab.say(
+            ToastTone::Error,
+            "Can’t copy",
+            "This browser gives no access to the clipboard: select the link and copy it by hand.",
+        ),
     };
     view! {
         <p>"Whoever opens this link sees this maze, these settings and this stop. Nothing is sent anywhere: the link holds it all."</p>

@@ -1,10 +1,11 @@
 //! What just happened: the case, the sentences, the variables, and where the book errs.
 
 use leptos::prelude::*;
+use wasm_bindgen::JsCast;
 
 use super::look_up;
 use super::result::ResultCard;
-use crate::explorer::book::errata::{self, Erratum};
+use crate::explorer::book::errata::{self, Erratum, Kind};
 use crate::explorer::book::narrate::{Narration, Span, Tone, narrate};
 use crate::geometry::Turn;
 use crate::trace::{Frame, State};
@@ -67,7 +68,9 @@ fn piece(span: Span) -> impl IntoView {
         Span::Text(text) => text.into_owned().into_any(),
         Span::Strong(text) => view! { <b>{text.into_owned()}</b> }.into_any(),
         Span::Code(text) => view! { <code>{text.into_owned()}</code> }.into_any(),
-        Span::Way { node, heading } => view! { <span class="mono">{format!("{node}·{heading}")}</span> }.into_any(),
+        Span::Way { node, heading } => {
+            view! { <span class="mono">{format!("{node}·{heading}")}</span> }.into_any()
+        }
         Span::Node(node) => view! {
             <button
                 class="noderef"
@@ -123,7 +126,8 @@ pub fn NowCard() -> impl IntoView {
     let lab = lab();
     let playing_fast = move || lab.playing().with(|playback| playback.is_playing() && playback.speed() > 2.0);
     let at_finish = Memo::new(move |_| {
-        lab.round.get() == Round::Explore && lab.frame.with(|frame| frame.as_ref().is_some_and(|f| f.outcome.is_some()))
+        lab.round.get() == Round::Explore
+            && lab.frame.with(|frame| frame.as_ref().is_some_and(|f| f.outcome.is_some()))
     });
     view! {
         <section class="card" aria-labelledby="now-title">
@@ -132,7 +136,7 @@ pub fn NowCard() -> impl IntoView {
                 <Said length=Length::Full />
             </div>
             {move || at_finish.get().then(|| view! { <ResultCard /> })}
-            {move || (lab.round.get() == Round::Explore).then(|| view! { <Errata /> <Variables /> })}
+            {move || (lab.round.get() == Round::Explore).then(|| view! { <Variables /> <Errata /> })}
         </section>
     }
 }
@@ -145,20 +149,28 @@ fn Errata() -> impl IntoView {
         lab.run.with(|run| {
             let Ok(run) = run else { return Vec::new() };
             lab.frame.with(|frame| {
-                frame.as_ref().map_or_else(Vec::new, |frame| errata::at(frame, run.walk).map(Noted).collect::<Vec<_>>())
+                frame
+                    .as_ref()
+                    .map_or_else(Vec::new, |frame| errata::at(frame, run.walk).map(Noted).collect::<Vec<_>>())
             })
         })
     });
-    view! {
-        <For each=move || notes.get() key=|note| note.0.title let:note>
-            <ErratumNote erratum=note.0 />
-        </For>
-        {move || notes.with(|notes| !notes.is_empty()).then(|| view! {
-            <div class="row errata-more">
-                <button class="btn" on:click=move |_| lab.dialog.set(Some(Dialog::Errata))>"All errata"</button>
-            </div>
-        })}
-    }
+    let titles = move || notes.with(|notes| notes.iter().map(|note| note.0.title).collect::<Vec<_>>().join(" · "));
+    let open = RwSignal::new(false);
+    move || notes.with(|notes| !notes.is_empty()).then(|| view! {
+        <details class="errata-notes" prop:open=open.get_untracked() on:toggle=move |event| {
+            open.set(event.target().is_some_and(|details| details.unchecked_into::<web_sys::Element>().has_attribute("open")));
+        }>
+            <summary>
+                <span class="mark info">{crate::web::icons::book()}</span>
+                <span>{titles}</span>
+            </summary>
+            <For each=move || notes.get() key=|note| note.0.title let:note>
+                <ErratumNote erratum=note.0 />
+            </For>
+            <div class="row"><button class="btn" on:click=move |_| lab.dialog.set(Some(Dialog::Errata))>"All errata"</button></div>
+        </details>
+    })
 }
 
 /// An erratum, the same as itself.
@@ -174,16 +186,19 @@ impl PartialEq for Noted {
 /// One note.
 #[component]
 pub fn ErratumNote(erratum: &'static Erratum) -> impl IntoView {
-    let slip = |printed: &'static str, meant: &'static str| view! {
-        <dl class="slip">
-            <div><dt>"printed"</dt><dd><del>{printed}</del></dd></div>
-            <div><dt>"meant"</dt><dd><ins>{meant}</ins></dd></div>
-        </dl>
+    let slip = |printed: &'static str, meant: &'static str| {
+        view! {
+            <dl class="slip">
+                <div><dt>"printed"</dt><dd><del>{printed}</del></dd></div>
+                <div><dt>"meant"</dt><dd><ins>{meant}</ins></dd></div>
+            </dl>
+        }
     };
     view! {
         <div class="note errata">
             <span class="mark info">{crate::web::icons::book()}</span>
             <div>
+                <p class="small">{match erratum.kind { Kind::Slip => "The book slips here", Kind::Open => "The book leaves this open" }}</p>
                 <p><b>{erratum.title}</b></p>
                 <p class="small">{erratum.section}": "{erratum.text}</p>
                 {erratum.printed.zip(erratum.meant).map(|(printed, meant)| slip(printed, meant))}
@@ -220,7 +235,11 @@ fn first(frame: &Frame) -> Vec<Var> {
 fn further(frame: &Frame) -> Vec<Var> {
     let seen = frame.sighting;
     let sees = |turn: Turn| seen.is_some_and(|seen| seen.sees(turn));
-    let kind = |name, wanted| Var { name, value: seen.is_some_and(|s| s.seen() == wanted).to_string(), changed: false };
+    let kind = |name, wanted| Var {
+        name,
+        value: seen.is_some_and(|s| s.seen() == wanted).to_string(),
+        changed: false,
+    };
     let path = |name, turn| Var { name, value: sees(turn).to_string(), changed: false };
     use crate::event::Seen;
     vec![
@@ -241,7 +260,12 @@ fn further(frame: &Frame) -> Vec<Var> {
 fn Variables() -> impl IntoView {
     let lab = lab();
     let chips = move |of: fn(&Frame) -> Vec<Var>| {
-        lab.frame.with(|frame| frame.as_ref().map(of)).unwrap_or_default().into_iter().map(chip).collect_view()
+        lab.frame
+            .with(|frame| frame.as_ref().map(of))
+            .unwrap_or_default()
+            .into_iter()
+            .map(chip)
+            .collect_view()
     };
     view! {
         <div class="vars" aria-label="Variables" role="group">{move || chips(first)}</div>

@@ -23,7 +23,11 @@ pub fn ResultCard() -> impl IntoView {
             let array = list.c_array(&title(&run.maze));
             let copied = move |ok: bool| match ok {
                 true => lab.say(ToastTone::Info, "", "Copied."),
-                false => lab.say(ToastTone::Error, "Can’t copy", "This browser gives no access to the clipboard: select the text and copy it by hand."),
+                false => lab.say(
+                    ToastTone::Error,
+                    "Can’t copy",
+                    "This browser gives no access to the clipboard: select the text and copy it by hand.",
+                ),
             };
             let (copy_letters, copy_array) = (letters.clone(), array.clone());
             Some(view! {
@@ -58,7 +62,10 @@ fn title(maze: &Maze) -> String {
 fn Letters() -> impl IntoView {
     let lab = lab();
     let letters = move || {
-        with_run(lab, |run| Some(run.list.as_ref()?.turns().iter().map(|turn| turn.letter()).collect::<Vec<_>>())).unwrap_or_default()
+        with_run(lab, |run| {
+            Some(run.list.as_ref()?.turns().iter().map(|turn| turn.letter()).collect::<Vec<_>>())
+        })
+        .unwrap_or_default()
     };
     // In round 2 the letter that was used last is marked.
     let used = move || {
@@ -97,7 +104,11 @@ fn Facts() -> impl IntoView {
     move || {
         with_run(lab, |run| {
             let ratio = run.ratio()?;
-            let judged = if run.route_cells()? == run.shortest? { "as good as any".to_owned() } else { "times the shortest".to_owned() };
+            let judged = if run.route_cells()? == run.shortest? {
+                "as good as any".to_owned()
+            } else {
+                "times the shortest".to_owned()
+            };
             let fact = |name: &'static str, value: String, unit: String| view! { <div><dt>{name}</dt><dd>{value}<small>{unit}</small></dd></div> };
             let stops = run.trace.stops();
             Some(view! {

@@ -21,7 +21,6 @@ struct Drawn {
     remembered: String,
     given_up: String,
     crossed: String,
-    marks: String,
 }
 
 /// The picture of the run.
@@ -81,8 +80,9 @@ pub fn Stage() -> impl IntoView {
                 })}
                 {move || (lab.round.get() == Round::Solved).then(|| view! { <path class="route" d=move || route(lab) /> })}
                 <Ends camera=camera />
-                <Nodes camera=camera />
+                // Under the nodes, so that their numbers stay readable: nose and wheels look out.
                 <Bot pose=Signal::derive(move || pose(lab)) pixel=Signal::derive(move || camera.pixel()) />
+                <Nodes camera=camera />
             </svg>
             <Compass north=Signal::derive(move || lab.north()) />
             <span class="zoom"><ZoomButtons camera=camera /></span>
@@ -118,12 +118,14 @@ fn Defs() -> impl IntoView {
 #[component]
 fn Floor() -> impl IntoView {
     let lab = lab();
-    let rect = move || lab.maze.with(|maze| {
+    let rect = move || {
+        lab.maze.with(|maze| {
         let bounds = maze.bounds();
         let at = |v: i32| v * UNIT;
         let (w, h) = (bounds.width() as i32 * UNIT, bounds.height() as i32 * UNIT);
         view! { <rect x=at(bounds.sw().x) - UNIT / 2 y=-at(bounds.ne().y) - UNIT / 2 width=w height=h fill="url(#dots)" /> }
-    });
+    })
+    };
     move || (!lab.robots_eye.get()).then(rect)
 }
 
@@ -168,7 +170,6 @@ fn draw_trails(run: &Run, stop: u32) -> Drawn {
         remembered: shown(Trail::Remembered),
         given_up: shown(Trail::GivenUp),
         crossed: shown(Trail::Crossed),
-        marks: String::new(),
     }
 }
 
@@ -184,7 +185,8 @@ fn Driving() -> impl IntoView {
         with_run(lab, |run| {
             let pose = scene::pose(&run.trace, &run.ink, stop, along);
             let (from, unit) = (run.ink.place(stop), f64::from(UNIT));
-            let data = format!("M{} {}L{:.1} {:.1}", from.x * UNIT, -from.y * UNIT, pose.x * unit, -pose.y * unit);
+            let data =
+                format!("M{} {}L{:.1} {:.1}", from.x * UNIT, -from.y * UNIT, pose.x * unit, -pose.y * unit);
             (data, run.trace.state(stop).returning)
         })
     });
@@ -227,7 +229,8 @@ fn pose(lab: Lab) -> Pose {
 fn Ends(camera: Camera) -> impl IntoView {
     let lab = lab();
     let known = move |at: Point| {
-        !lab.robots_eye.get() || with_run(lab, |run| run.solved() && run.ink.place(lab.moment.get().stop) == at)
+        !lab.robots_eye.get()
+            || with_run(lab, |run| run.solved() && run.ink.place(lab.moment.get().stop) == at)
     };
     move || {
         let pixel = camera.pixel();
@@ -235,7 +238,7 @@ fn Ends(camera: Camera) -> impl IntoView {
             let finish: Vec<Point> = maze.finish().iter().copied().filter(|&at| known(at)).collect();
             let start = maze.start().map(|start| {
                 let (x, y) = (f64::from(start.at.x * UNIT), f64::from(-start.at.y * UNIT));
-                view! { <Label x=x + 12.0 + 5.0 * pixel y=y + 3.0 pixel=pixel text="start" /> }
+                view! { <Label x=x + 32.0 + 4.0 * pixel y=y + 6.0 pixel=pixel text="start" /> }
             });
             view! {
                 {finish.into_iter().enumerate().map(|(i, at)| finish_mark(at, i == 0, pixel)).collect_view()}
@@ -287,6 +290,9 @@ fn describe(lab: Lab, stop: u32) -> String {
     with_run(lab, |run| {
         let at = run.ink.place(stop);
         let crossed = run.ink.crossed_cells(stop);
-        format!("Maze at stop {stop} of {}: the bot is at {at}; {crossed} cells are crossed out", run.trace.stops())
+        format!(
+            "Maze at stop {stop} of {}: the bot is at {at}; {crossed} cells are crossed out",
+            run.trace.stops()
+        )
     })
 }

@@ -34,7 +34,7 @@ pub fn NodeTable() -> impl IntoView {
     };
     keep_in_sight(lab, scroller);
     view! {
-        <section class="card fill" aria-labelledby="nodes-title">
+        <section class="card fill nodes-card" aria-labelledby="nodes-title">
             <h2 id="nodes-title">"Node table"<span class="spacer"></span><span class="small">{move || remembered(ptr.get() - 1)}</span></h2>
             {move || if ptr.get() > 1 {
                 view! {
@@ -117,7 +117,8 @@ fn NodeRow(number: u32) -> impl IntoView {
     let row = Memo::new(move |_| {
         lab.run.with(|run| run.as_ref().ok().and_then(|run| run.trace.row(lab.moment.get(), number)))
     });
-    let frame = move |of: fn(&crate::trace::Frame) -> u32| lab.frame.with(|frame| frame.as_ref().map_or(0, of));
+    let frame =
+        move |of: fn(&crate::trace::Frame) -> u32| lab.frame.with(|frame| frame.as_ref().map_or(0, of));
     let here = move || frame(|frame| frame.node) == number;
     let top = move || frame(|frame| frame.state.ptr) == number + 1;
     let way = move |heading: Heading| {

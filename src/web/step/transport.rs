@@ -157,7 +157,11 @@ fn said(lab: Lab, stop: u32) -> String {
     });
     let node = lab.run.with(|run| {
         let explore = lab.round.get() == Round::Explore;
-        run.as_ref().ok().filter(|_| explore).and_then(|run| run.trace.step(stop)).map_or(0, |step| step.node())
+        run.as_ref()
+            .ok()
+            .filter(|_| explore)
+            .and_then(|run| run.trace.step(stop))
+            .map_or(0, |step| step.node())
     });
     if node > 0 { format!("stop {stop}: {what} · node {node}") } else { format!("stop {stop}: {what}") }
 }
@@ -222,7 +226,9 @@ pub fn Counter() -> impl IntoView {
     let stop = move || lab.playing().with(|playback| playback.moment().stop);
     let cells = move || {
         lab.run.with(|run| match (run, lab.round.get()) {
-            (Ok(run), Round::Explore) => format!(" · {} of {} cells", run.cells(stop()), run.cells(run.trace.stops())),
+            (Ok(run), Round::Explore) => {
+                format!(" · {} of {} cells", run.cells(stop()), run.cells(run.trace.stops()))
+            }
             _ => String::new(),
         })
     };
@@ -240,7 +246,7 @@ fn EventPicker() -> impl IntoView {
     };
     view! {
         <span class="group">
-            <select class="input" aria-label="Kind of event" on:change=choose>
+            <select class="input event-kind" aria-label="Kind of event" on:change=choose>
                 <option value="0">"any event"</option>
                 {Mark::NAMED.iter().zip(1..).map(|((_, name), i)| view! { <option value=i>{*name}</option> }).collect_view()}
             </select>
