@@ -18,11 +18,19 @@ impl Downloads {
     /// # Errors
     /// If it never comes.
     pub async fn file(&self, name: &str) -> Result<String> {
+        Ok(String::from_utf8(self.bytes(name).await?)?)
+    }
+
+    /// A downloaded file, when it's there.
+    ///
+    /// # Errors
+    /// If it never comes.
+    pub async fn bytes(&self, name: &str) -> Result<Vec<u8>> {
         let (path, start) = (self.0.join(name), Instant::now());
         while start.elapsed() < Duration::from_secs(10) {
             // Under its name it's whole; until then it has another.
-            if let Ok(text) = std::fs::read_to_string(&path) {
-                return Ok(text);
+            if let Ok(content) = std::fs::read(&path) {
+                return Ok(content);
             }
             tokio::time::sleep(Duration::from_millis(20)).await;
         }
