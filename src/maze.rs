@@ -12,10 +12,12 @@ mod bounds;
 pub mod checks;
 pub mod edit;
 pub mod file;
+pub mod generate;
 pub mod json;
 mod polyline;
 pub mod samples;
 mod scale;
+pub mod svg;
 pub mod text;
 
 pub use bounds::{Bounds, BoundsError, MAX_COORDINATE, MAX_SIDE};

@@ -11,8 +11,7 @@ use line_maze_lab::maze::samples::{self, SAMPLES};
 use line_maze_lab::maze::{Maze, checks, file, json, text};
 use line_maze_lab::route::{Route, TurnList, best};
 use line_maze_lab::run::explore;
-use line_maze_lab::settings::Pace;
-use line_maze_lab::settings::{Order, Preference, Settings};
+use line_maze_lab::settings::{Order, Pace, Preference, Settings};
 use line_maze_lab::trace::Trace;
 
 type Claim = fn(&Maze);
@@ -102,7 +101,7 @@ fn same_lines(maze: &Maze, mut data: Maze) {
 }
 
 fn shortest(maze: &Maze) -> Option<u32> {
-    best::shortest(maze, maze.start()?, &Pace::default()).map(|best| best.cells)
+    best::shortest(maze, maze.start().unwrap(), &Pace::default()).map(|best| best.cells)
 }
 
 fn points_with(maze: &Maze, ways: u32) -> Vec<Point> {
