@@ -34,7 +34,7 @@ pub fn NodeTable() -> impl IntoView {
     };
     keep_in_sight(lab, scroller);
     view! {
-        <section class="card fill" aria-labelledby="nodes-title">
+        <section class="card fill nodes-card" aria-labelledby="nodes-title">
             <h2 id="nodes-title">"Node table"<span class="spacer"></span><span class="small">{move || remembered(ptr.get() - 1)}</span></h2>
             {move || if ptr.get() > 1 {
                 view! {
