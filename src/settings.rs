@@ -102,7 +102,7 @@ impl Default for Pace {
 
 impl Pace {
     /// Milliseconds that one cell takes: rounded once, at least 2, so that all times of a run are multiples
-    /// of it and no error can add up.
+    /// of it and no error can add up; at most [`MAX_CELL_MS`].
     ///
     /// ```
     /// use line_maze_lab::{maze::Scale, settings::Pace};
@@ -110,7 +110,7 @@ impl Pace {
     /// ```
     #[must_use]
     pub fn cell_ms(&self, scale: Scale) -> u32 {
-        ((scale.cell_mm() * 1000.0 / self.speed_mm_s + 0.5) as u32).max(2)
+        ((scale.cell_mm() * 1000.0 / self.speed_mm_s + 0.5) as u32).clamp(2, MAX_CELL_MS)
     }
 
     /// Seconds that a turn takes.
@@ -123,6 +123,9 @@ impl Pace {
         }
     }
 }
+
+/// The most milliseconds that a cell can take: the length of the longest line still fits 32-bit coordinates.
+pub const MAX_CELL_MS: u32 = 2_000_000;
 
 /// Everything that can be set for a run of the book's explorer.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -180,5 +183,11 @@ mod tests {
     fn a_cell_never_takes_less_than_two_milliseconds() {
         let pace = Pace { speed_mm_s: 1e9, ..Pace::default() };
         assert_eq!(pace.cell_ms(Scale::default()), 2);
+    }
+
+    #[test]
+    fn the_longest_line_fits_the_coordinates() {
+        let pace = Pace { speed_mm_s: 1e-9, ..Pace::default() };
+        assert!((crate::maze::MAX_SIDE - 1).checked_mul(pace.cell_ms(Scale::default())) < Some(1 << 31));
     }
 }

@@ -175,6 +175,24 @@ impl<S: NodeStore> Book<S> {
         self.nodes.len() + 1
     }
 
+    /// Where the bot thinks that it is: milliseconds of driving east and north of the start.
+    #[must_use]
+    pub const fn coordinates(&self) -> (i32, i32) {
+        (self.cur_x, self.cur_y)
+    }
+
+    /// Where it faces, in its own frame.
+    #[must_use]
+    pub const fn bot_dir(&self) -> Heading {
+        self.bot_dir
+    }
+
+    /// Whether the way that it drives does not lead to the finish.
+    #[must_use]
+    pub const fn returning(&self) -> bool {
+        self.returning
+    }
+
     /// The table of nodes.
     #[must_use]
     pub const fn nodes(&self) -> &S {

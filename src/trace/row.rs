@@ -64,7 +64,8 @@ impl Trace {
                     Event::Recorded(at) if at == m => kept = self.recorded(moment.stop),
                     Event::Visited(at, way) if at == m => {
                         kept = kept.map(|(met, node)| {
-                            let chosen = way == step.departure() && step.case() != Case::UnknownUturn;
+                            // RETURN-UNKNOWN marks the arrival path, which is no choice.
+                            let chosen = matches!(step.case(), Case::New | Case::Known);
                             let last_path = if chosen { Some(way) } else { node.last_path };
                             (met, Node { vpaths: node.vpaths.with(way), last_path, ..node })
                         });

@@ -1,0 +1,101 @@
+//! Mazes in and out: reading a file or standard input, `generate`, and `convert`.
+
+use std::fs::{self, File};
+use std::io::{self, Read, Write};
+use std::path::Path;
+
+use line_maze_lab::maze::file::{self, ReadError};
+use line_maze_lab::maze::generate::{self, Recipe};
+use line_maze_lab::maze::json::{self, JsonError};
+use line_maze_lab::maze::{Kind, Maze, svg, text};
+
+use crate::args::{Drawn, Generate};
+use crate::locate::{self, Place};
+use crate::{Failure, Status};
+
+/// Reads a maze from a file, or from standard input where the path is `-`.
+pub(crate) fn read(path: &Path) -> Result<Maze, Failure> {
+    let bytes = bytes(path).map_err(|error| Failure::Message(format!("{}: {error}", name(path))))?;
+    file::read(&bytes).map_err(|error| {
+        let (place, message) = placed(&bytes, &error);
+        Failure::Message(format!("{}:{}:{}: {message}", name(path), place.line, place.column))
+    })
+}
+
+/// How messages call an input.
+pub(crate) fn name(path: &Path) -> String {
+    if path == Path::new("-") { "standard input".to_owned() } else { path.display().to_string() }
+}
+
+/// One byte more than any format may have is enough to know that it is too much.
+fn bytes(path: &Path) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    let most = json::MAX_BYTES as u64 + 1;
+    if path == Path::new("-") {
+        io::stdin().lock().take(most).read_to_end(&mut bytes)?;
+    } else {
+        File::open(path)?.take(most).read_to_end(&mut bytes)?;
+    }
+    Ok(bytes)
+}
+
+/// Where in the file an error is, and what it says without that.
+fn placed(bytes: &[u8], error: &ReadError) -> (Place, String) {
+    match error {
+        ReadError::Text(error) => {
+            let place = Place { line: error.place.line as usize, column: error.place.column as usize };
+            (place, error.problem.to_string())
+        }
+        ReadError::Json(JsonError::Syntax { line, column, message }) => {
+            (Place { line: *line, column: *column }, message.clone())
+        }
+        ReadError::Json(error @ JsonError::Value { path, .. }) => {
+            let text = String::from_utf8_lossy(bytes);
+            (locate::value(&text, path), error.to_string())
+        }
+        ReadError::NotText { at } => {
+            (Place::after(&String::from_utf8_lossy(&bytes[..*at])), error.to_string())
+        }
+        ReadError::Empty | ReadError::Json(JsonError::TooLarge { .. }) => (Place::START, error.to_string()),
+    }
+}
+
+/// `linemaze generate`
+pub(crate) fn generate(args: &Generate, out: &mut impl Write) -> Result<Status, Failure> {
+    let recipe = Recipe {
+        width: args.size.width,
+        height: args.size.height,
+        loops_percent: args.loops,
+        dead_ends_cut_percent: args.dead_ends,
+        seed: args.seed,
+        kind: match args.kind {
+            Drawn::Line => Kind::Line,
+            Drawn::Wall => Kind::Wall,
+        },
+    };
+    let maze = generate::generate(&recipe).map_err(|error| Failure::Message(error.to_string()))?;
+    out.write_all(text::write(&maze).as_bytes())?;
+    Ok(Status::Good)
+}
+
+/// `linemaze convert`
+pub(crate) fn convert(from: &Path, to: &Path) -> Result<Status, Failure> {
+    let write = writer(to)?;
+    let maze = read(from)?;
+    fs::write(to, write(&maze)).map_err(|error| Failure::Message(format!("{}: {error}", to.display())))?;
+    Ok(Status::Good)
+}
+
+/// What writes a file of this extension.
+fn writer(to: &Path) -> Result<fn(&Maze) -> String, Failure> {
+    let extension = to.extension().map(|extension| extension.to_string_lossy().to_ascii_lowercase());
+    match extension.as_deref() {
+        Some("maze") => Ok(text::write),
+        Some("json") => Ok(json::write),
+        Some("svg") => Ok(svg::write),
+        _ => Err(Failure::Message(format!(
+            "{}: the extension chooses the format; it is .maze, .json or .svg",
+            to.display()
+        ))),
+    }
+}

@@ -1,0 +1,71 @@
+//! The command line: run, trace, check, generate and convert line mazes.
+
+mod args;
+mod check;
+mod explore;
+mod files;
+mod locate;
+
+use std::io::{self, BufWriter, Write};
+use std::process::ExitCode;
+
+use args::{Cli, Command};
+use clap::Parser;
+
+/// What a command comes to; the number is the exit status.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Status {
+    /// Finish reached, maze clean, file written.
+    Good = 0,
+    /// No finish, or findings.
+    Bad = 1,
+    /// The input or the arguments make no sense.
+    Unusable = 2,
+}
+
+/// Why a command could not be carried out.
+enum Failure {
+    /// For the person at the keyboard.
+    Message(String),
+    /// Standard output went away; nobody reads any more.
+    Output(io::Error),
+}
+
+impl From<io::Error> for Failure {
+    fn from(error: io::Error) -> Self {
+        Self::Output(error)
+    }
+}
+
+fn main() -> ExitCode {
+    let cli = Cli::parse();
+    let mut out = BufWriter::new(io::stdout().lock());
+    let done = obey(&cli.command, &mut out).and_then(|status| {
+        out.flush()?;
+        Ok(status)
+    });
+    let status = match done {
+        Ok(status) => status,
+        // `linemaze … | head` is no fault.
+        Err(Failure::Output(error)) if error.kind() == io::ErrorKind::BrokenPipe => Status::Good,
+        Err(Failure::Output(error)) => complain(&format!("standard output: {error}")),
+        Err(Failure::Message(message)) => complain(&message),
+    };
+    ExitCode::from(status as u8)
+}
+
+fn obey(command: &Command, out: &mut impl Write) -> Result<Status, Failure> {
+    match command {
+        Command::Run(args) => explore::run(args, out),
+        Command::Trace(args) => explore::trace(args, out),
+        Command::Check { maze } => check::check(maze, out),
+        Command::Generate(args) => files::generate(args, out),
+        Command::Convert { from, to } => files::convert(from, to),
+    }
+}
+
+fn complain(message: &str) -> Status {
+    // If standard error is closed too, there is nobody left to tell.
+    let _ = writeln!(io::stderr(), "{message}");
+    Status::Unusable
+}
