@@ -103,6 +103,18 @@ impl Camera {
         }
     }
 
+    /// Moves the paper, and zooms out if needed, so that a part of the lattice is in the picture.
+    pub fn show_all(self, part: Bounds) {
+        let (view, size) = untrack(|| (self.view(), self.size.get()));
+        let inside = |at: Point| {
+            let (px, py) = view.to_screen(size, f64::from(at.x), f64::from(at.y));
+            (30.0..=size.w - 30.0).contains(&px) && (30.0..=size.h - 30.0).contains(&py)
+        };
+        if !inside(part.sw()) || !inside(part.ne()) {
+            self.moved.set(Some(Viewport::fit(part, size, view.scale)));
+        }
+    }
+
     /// The lattice place under a pointer event on the picture.
     #[must_use]
     pub fn place(self, px: f64, py: f64) -> (f64, f64) {

@@ -155,9 +155,11 @@ fn Errata() -> impl IntoView {
             })
         })
     });
-    let titles = move || notes.with(|notes| notes.iter().map(|note| note.0.title).collect::<Vec<_>>().join(" · "));
+    let titles =
+        move || notes.with(|notes| notes.iter().map(|note| note.0.title).collect::<Vec<_>>().join(" · "));
     let open = RwSignal::new(false);
-    move || notes.with(|notes| !notes.is_empty()).then(|| view! {
+    move || {
+        notes.with(|notes| !notes.is_empty()).then(|| view! {
         <details class="errata-notes" prop:open=open.get_untracked() on:toggle=move |event| {
             open.set(event.target().is_some_and(|details| details.unchecked_into::<web_sys::Element>().has_attribute("open")));
         }>
@@ -171,6 +173,7 @@ fn Errata() -> impl IntoView {
             <div class="row"><button class="btn" on:click=move |_| lab.dialog.set(Some(Dialog::Errata))>"All errata"</button></div>
         </details>
     })
+    }
 }
 
 /// An erratum, the same as itself.
