@@ -85,7 +85,7 @@ fn finish_points_move_and_further_ones_come_and_go() {
     assert_eq!(points(&two).len(), 2);
     assert_eq!(points(&drawn(&two, &further, &[])), [Point::new(2, 1)]);
     // One of several is moved alone.
-    assert_eq!(points(&drawn(&two, &moved, &[(0.0, 2.0)])), [Point::new(2, 1), Point::new(0, 2)]);
+    assert_eq!(points(&drawn(&two, &moved, &[(0.0, 2.0)])), [Point::new(0, 2), Point::new(2, 1)]);
 }
 
 #[test]

@@ -16,6 +16,7 @@ mod keyboard;
 mod menu;
 mod paste;
 mod picture;
+mod rest;
 mod shelf;
 mod side;
 mod sizes;

@@ -6,7 +6,7 @@ use web_sys::{PointerEvent, WheelEvent};
 use super::desk::{Desk, desk};
 use super::keyboard;
 use super::picture::{HANDLE_ARM, Picture, marker_scale};
-use crate::gesture::{Button, Doing, Finishing, Handle, Motion, Press, Spot, Tool};
+use crate::gesture::{Button, Doing, Finishing, Handle, Motion, Press, Spot};
 use crate::maze::samples;
 use crate::web::paths::UNIT;
 
@@ -135,7 +135,6 @@ fn pixel(desk: Desk, event: &web_sys::MouseEvent) -> (f64, f64) {
 fn is_empty(desk: Desk) -> bool {
     desk.lab.maze.with(|maze| maze.lines().next().is_none())
         && !desk.by_keyboard.get()
-        && desk.held_tool() == Tool::Line
         && desk.doing.with(|doing| *doing == Doing::Nothing)
 }
 

@@ -3,6 +3,7 @@
 use leptos::html;
 use leptos::prelude::*;
 
+use super::rest::rests;
 use crate::geometry::{Point, Turn};
 use crate::gesture::{Doing, Finishing, Hand, Tool};
 use crate::maze::checks::{self, Finding, Report};
@@ -34,7 +35,9 @@ pub struct Desk {
     pub cursor: RwSignal<Point>,
     /// Whether the keyboard moved it last.
     pub by_keyboard: RwSignal<bool>,
-    /// What is in order, and what not.
+    /// Counts when the maze comes to rest after changes.
+    pub rests: ReadSignal<u32>,
+    /// What is in order, and what not, when it rests.
     pub report: Memo<Report>,
     /// The finding that is shown on the drawing, as long as it is one.
     pub shown: Memo<Option<Finding>>,
@@ -55,9 +58,13 @@ impl Desk {
     pub fn new(lab: Lab) -> Self {
         let bounds = Memo::new(move |_| lab.maze.with(|maze| maze.bounds()));
         let frame = NodeRef::new();
-        let camera = Camera::new(size_of(frame), bounds, 72.0);
+        let camera = Camera::new(size_of(frame), bounds, 72.0).with_edge(24.0);
         let hand = RwSignal::new(Hand::default());
-        let report = Memo::new(move |_| lab.maze.with(|maze| checks::report(maze)));
+        let rests = rests(lab);
+        let report = Memo::new(move |_| {
+            rests.track();
+            lab.maze.with_untracked(|maze| checks::report(maze))
+        });
         let wanted = RwSignal::new(None::<Finding>);
         let shown =
             Memo::new(move |_| wanted.get().filter(|it| report.with(|report| report.findings.contains(it))));
@@ -74,6 +81,7 @@ impl Desk {
             doing: Memo::new(move |_| hand.with(|hand| hand.doing().clone())),
             cursor: RwSignal::new(cursor),
             by_keyboard: RwSignal::new(false),
+            rests,
             report,
             shown,
             wanted,

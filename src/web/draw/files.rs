@@ -15,7 +15,7 @@ use crate::web::browser::{download, download_blob};
 use crate::web::state::{Lab, ToastTone};
 
 /// Pixels a cell of an exported picture, where it does not become too large.
-const CELL_PX: f64 = 48.0;
+const CELL_PX: f64 = 96.0;
 /// The most pixels along a side: what browsers draw without complaint.
 const MOST_PX: f64 = 6000.0;
 

@@ -151,9 +151,10 @@ fn StartMarker() -> impl IntoView {
         let (x, y) = (f64::from(at.x * UNIT), f64::from(-at.y * UNIT));
         let label = move || {
             let pixel = desk.camera.pixel();
-            let beside = 30.0 * marker_scale(pixel) + 14.0;
-            // Beside the handle's arm, not under it.
-            let below = if heading == Heading::East { 34.0 * marker_scale(pixel) } else { 20.0 };
+            let scale = marker_scale(pixel);
+            // Beside the ring; not on the line that goes there.
+            let below = if heading == Heading::East { 40.0 * scale } else { 18.0 * scale };
+            let beside = (if heading == Heading::East { 30.0 } else { 42.0 }) * scale + 4.0 * pixel;
             view! { <Label x=x + beside y=y + below pixel=pixel text="start" /> }
         };
         view! {

@@ -8,6 +8,7 @@ use crate::maze::edit::Edit;
 use crate::maze::{Kind, Scale};
 use crate::web::app::go;
 use crate::web::dialogs::settings::NumberField;
+use crate::web::icons;
 use crate::web::run_view::Run;
 use crate::web::state::{Room, lab};
 
@@ -38,16 +39,19 @@ pub fn Floor() -> impl IntoView {
                 <NumberField id="line-mm" label="Line, mm" value=Signal::derive(move || scale.get().line_mm().to_string())
                     hint="0.1 mm to the length of a cell"
                     read=move |text: &str| Scale::new(now().cell_mm(), number(text)?).ok() set=set />
-                <div class="field wide">
+                <div class="field">
                     <span id="kind">"Drawn as"</span>
                     <div class="seg wide" role="group" aria-labelledby="kind">{choice(Kind::Line, "Lines")}{choice(Kind::Wall, "Walls")}</div>
-                    {move || (kind.get() == Kind::Wall).then(|| view! {
-                        <span class="small">"Walls are shown as lines here for now: a line is an open way between two squares."</span>
-                    })}
                 </div>
-                <button class="btn wide" title="Turn the start clockwise (T)" disabled=move || !has_start.get() on:click=move |_| desk.turn_start()>
-                    "Turn the start"
-                </button>
+                <div class="field">
+                    <span>"Start"</span>
+                    <button class="btn" title="Turn the start clockwise (T)" disabled=move || !has_start.get() on:click=move |_| desk.turn_start()>
+                        {icons::again()} "Turn"<span class="vh">" the start clockwise"</span>
+                    </button>
+                </div>
+                {move || (kind.get() == Kind::Wall).then(|| view! {
+                    <p class="small wide">"Walls are shown as lines here for now: a line is an open way between two squares."</p>
+                })}
             </div>
         </section>
     }
@@ -57,13 +61,23 @@ pub fn Floor() -> impl IntoView {
 #[component]
 pub fn Explorer() -> impl IntoView {
     let lab = lab();
+    let rests = desk().rests;
+    // The run itself is not followed: in a large maze it waits until the hands rest.
+    let follow = move || {
+        rests.track();
+        lab.settings.track();
+    };
     let sentence = move || {
-        lab.run.with(|run| match run {
+        follow();
+        lab.run.with_untracked(|run| match run {
             Ok(run) => verdict(run),
             Err(why) => view! { {why.to_string()} }.into_any(),
         })
     };
-    let can = Memo::new(move |_| lab.run.with(Result::is_ok));
+    let can = Memo::new(move |_| {
+        follow();
+        lab.run.with_untracked(Result::is_ok)
+    });
     view! {
         <section class="card fill explorer">
             <h2>"The book’s explorer"</h2>
