@@ -172,7 +172,8 @@ fn trace_tells_every_stop_of_figure_3_1() {
         23 corner null [6,5] null 3 4 true 2400 2000 17
         24 node 3 [3,5] known 2 4 false 1200 2000 20
         25 finish null [3,4] null null 4 false 1200 1600 20
-    "#]].assert_eq(&table);
+    "#]]
+    .assert_eq(&table);
 }
 
 #[test]
@@ -186,7 +187,8 @@ fn trace_tells_people_too() {
         3    0,1     node     known         1    1      2    false     0       400     2
         4    2,1     node     unknown-back  1    2      1    true      800     400     4
         lost at node 1: there is no line south (2)
-    "#]].assert_eq(&said.out);
+    "#]]
+    .assert_eq(&said.out);
 }
 
 #[test]
