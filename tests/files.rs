@@ -33,3 +33,153 @@ proptest! {
         let _ = text::parse(&format!("line-maze: 1\nbounds: 0,0 9,9\n\nlines:\n{rest}"));
     }
 }
+
+/// What the reader says about each file in `tests/fixtures/bad`.
+#[rustfmt::skip]
+const BAD: &[(&str, &str)] = &[
+    ("another-program.maze", "Line 1, column 1: “line-maze: 1” (the first line of a maze file) was expected, not “o---o---o”."),
+    ("bad-escape.maze", "Line 2, column 20: a backslash stands only in \\\\, \\n, \\r, \\t, \\s (a space) and \\u{…}."),
+    ("bounds-one-point.maze", "Line 2, column 9: a pair of points (south-west and north-east corner) was expected, not “5,5”."),
+    ("bounds-swapped.json", "bounds: the first corner is the south-west one, the second the north-east one."),
+    ("bounds-swapped.maze", "Line 2, column 9: the first corner is the south-west one, the second the north-east one."),
+    ("bounds-too-large.maze", "Line 2, column 9: a maze has at most 1,000 × 1,000 points."),
+    ("box-drawing.maze", "Line 3, column 2: “-” or a space was expected, not “─”."),
+    ("cell-too-long.maze", "Line 2, column 10: a cell is 1 to 10,000 mm long."),
+    ("columns-3.maze", "Line 2, column 10: “4” or “2” (columns of text for a cell) was expected, not “3”."),
+    ("cut-off.json", "Line 1, column 60: the text ends in the middle of the maze."),
+    ("drawing-off-bounds.maze", "Line 4, column 9: the point 2,0 is off the lattice, which goes from 0,0 to 1,0; move it, or set wider “bounds”."),
+    ("drawing-too-far-away.maze", "Line 2, column 9: coordinates go from −1,000,000 to 1,000,000."),
+    ("empty.maze", "The file is empty; a maze file begins with “line-maze: 1”."),
+    ("finish-not-a-point.maze", "Line 2, column 13: a point such as 3,4 was expected, not “here”."),
+    ("finish-off-lattice.json", "finish[1]: the point 6,0 is off the lattice, which goes from 0,0 to 5,0; move it, or set wider “bounds”."),
+    ("finish-off-lattice.maze", "Line 2, column 13: the finish point 1,1 is off the lattice, which goes from 0,0 to 1,0; move it, or set wider “bounds”."),
+    ("foreign-character.maze", "Line 5, column 5: “|” or a space was expected, not “x”."),
+    ("foreign-point.maze", "Line 3, column 9: a point (“+”, “.”, “F”, “^”, “>”, “v” or “<”) was expected, not “o”."),
+    ("gap-in-line.maze", "Line 3, column 3: “-” (a line goes from point to point) was expected, not a space."),
+    ("half-a-cell.json", "Line 1, column 125: a whole number was expected, not floating point `0.5`."),
+    ("indented-number.maze", "Line 3, column 3: a line that is not indented (only title, source and note go on in the next line) was expected, not “50”."),
+    ("key-twice.json", "Line 2, column 7: the key `kind` is there twice."),
+    ("key-twice.maze", "Line 4, column 1: “title” is given in line 2 already."),
+    ("line-too-wide.maze", "Line 3, column 10: a line is at least 0.1 mm wide, and not wider than a cell is long."),
+    ("line-without-beginning.maze", "Line 3, column 3: a line that begins at a point was expected, not “-”."),
+    ("line-without-end.maze", "Line 3, column 6: this line has no point at its end; put a “+” there."),
+    ("missing-key.json", "Line 1, column 99: the key `start` is missing."),
+    ("newer-version.maze", "Line 1, column 12: this file is of version “2”; only version 1 can be read."),
+    ("no-blank-line.maze", "Line 3, column 1: “key: value” or a blank line (before the drawing) was expected, not “+---F”."),
+    ("no-colon.maze", "Line 2, column 1: “key: value” or a blank line (before the drawing) was expected, not “title A maze”."),
+    ("no-drawing.maze", "Line 4, column 1: a drawing or a list of polylines was expected, but there is nothing."),
+    ("no-lines-no-bounds.json", "lines: a maze without lines needs “bounds”."),
+    ("no-version.maze", "Line 1, column 1: “line-maze: 1” (the first line of a maze file) was expected, not “title: A maze”."),
+    ("not-json.json", "Line 2, column 10: this is not JSON: expected value."),
+    ("not-utf-8.maze", "Byte 23: this is not text in UTF-8. A maze file is text; save it as UTF-8, or choose another file."),
+    ("number-in-quotes.json", "Line 2, column 17: a number was expected, not string \"200\"."),
+    ("other-format.json", "format: “line-maze/1” was expected."),
+    ("point-not-a-list.json", "Line 1, column 114: a point (two whole numbers such as [3, 4]) was expected, not integer `0`."),
+    ("point-of-one.json", "Line 1, column 124: a point (two whole numbers such as [3, 4]) was expected, not a list of 1."),
+    ("point-of-three.json", "Line 1, column 122: a point (two whole numbers such as [3, 4]) was expected, not a list of 3."),
+    ("polyline-letters.maze", "Line 4, column 5: a point such as 3,4 was expected, not “0,five”."),
+    ("polyline-off-bounds.json", "lines[0][1]: the point 0,4 is off the lattice, which goes from 0,0 to 3,3; move it, or set wider “bounds”."),
+    ("polyline-off-bounds.maze", "Line 5, column 5: the point 0,6 is off the lattice, which goes from 0,0 to 5,5; move it, or set wider “bounds”."),
+    ("polyline-one-point.json", "lines[1]: a polyline has two points or more."),
+    ("polyline-one-point.maze", "Line 5, column 1: a polyline needs a second point."),
+    ("polyline-same-point.json", "lines[0][1]: this point is the same as the one before it."),
+    ("polyline-same-point.maze", "Line 4, column 9: this point is the same as the one before it."),
+    ("polyline-semicolon.maze", "Line 4, column 1: a point such as 3,4 was expected, not “0,0;”."),
+    ("polyline-slanted.json", "lines[0][2]: lines go along the axes, and 0,1 to 1,2 is slanted; add the corner between them."),
+    ("polyline-slanted.maze", "Line 4, column 9: lines go along the axes, and 0,5 to 6,6 is slanted; add the corner between them."),
+    ("polyline-too-long.maze", "Line 4, column 5: a maze has at most 1,000 × 1,000 points."),
+    ("polylines-none.maze", "Line 3, column 1: a maze without lines needs “bounds” in its header."),
+    ("polylines-with-columns.maze", "Line 2, column 10: “columns” is for drawings; a list of polylines does without it."),
+    ("polylines-with-origin.maze", "Line 2, column 9: “origin” is for drawings; a list of polylines does without it."),
+    ("size-in-words.maze", "Line 2, column 10: a length in millimetres such as 180 or 19.5 was expected, not “20 cm”."),
+    ("size-zero.json", "line_mm: a line is at least 0.1 mm wide, and not wider than a cell is long."),
+    ("start-heading-in-words.maze", "Line 2, column 12: a heading (N, E, S or W) was expected, not “north”."),
+    ("start-heading.json", "Line 1, column 68: one of `N`, `E`, `S`, `W` was expected, not `north`."),
+    ("start-in-header-and-drawing.maze", "Line 4, column 1: the start is given in line 2, column 8 already."),
+    ("start-off-lattice.json", "start.at: the point 0,1 is off the lattice, which goes from 0,0 to 5,0; move it, or set wider “bounds”."),
+    ("start-off-lattice.maze", "Line 2, column 8: the start 5,0 is off the lattice, which goes from 0,0 to 1,0; move it, or set wider “bounds”."),
+    ("start-twice.maze", "Line 3, column 9: the start is given in line 3, column 1 already."),
+    ("start-without-heading.maze", "Line 2, column 8: a point and a heading such as 3,4 N was expected, not “0,0”."),
+    ("tab.maze", "Line 4, column 2: a space (no point is above this place) was expected, not a tab."),
+    ("too-far-away.json", "lines[0][1]: coordinates go from −1,000,000 to 1,000,000."),
+    ("too-far-away.maze", "Line 2, column 9: coordinates go from −1,000,000 to 1,000,000."),
+    ("too-long.json", "lines[0][1]: a maze has at most 1,000 × 1,000 points."),
+    ("two-objects.json", "Line 1, column 132: this is not JSON: trailing characters."),
+    ("unknown-key.json", "Line 2, column 22: `colour` is not a key here; there is one of `format`, `title`, `source`, `note`, `kind`, `cell_mm`, `line_mm`, `bounds`, `start`, `finish`, `lines`."),
+    ("unknown-key.maze", "Line 2, column 1: “colour” is not a key of a maze file; those are title, source, note, kind, cell_mm, line_mm, columns, origin, bounds, start and finish."),
+    ("unknown-kind.json", "Line 1, column 41: `line` or `wall` was expected, not `hedge`."),
+    ("unknown-kind.maze", "Line 2, column 7: “line” or “wall” was expected, not “maze”."),
+    ("wall-at-the-bottom.maze", "Line 4, column 1: this line has no point at its end; put a “+” there."),
+    ("wall-between-columns.maze", "Line 4, column 3: a space (no point is above this place) was expected, not “|”."),
+    ("wall-without-end.maze", "Line 4, column 5: this line has no point at its end; put a “+” there."),
+];
+
+#[test]
+fn every_bad_file_is_refused_with_place_and_expectation() {
+    let folder = std::path::Path::new("tests/fixtures/bad");
+    for (name, message) in BAD {
+        let error = file::read(&std::fs::read(folder.join(name)).unwrap());
+        assert_eq!(error.map_err(|error| error.to_string()), Err((*message).to_owned()), "{name}");
+    }
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let name = entry.unwrap().file_name().into_string().unwrap();
+        assert!(BAD.iter().any(|(known, _)| *known == name), "{name} has no entry in the table");
+    }
+}
+
+#[test]
+fn limits_are_errors() {
+    let says = |text: &str| text::parse(text).unwrap_err().to_string();
+    let long = format!("line-maze: 1\nnote: {}\n\n+---F\n", "a".repeat(text::MAX_BYTES));
+    assert_eq!(says(&long), "A maze file has at most 4,194,304 bytes (4 MiB); this one has 4,194,331.");
+    let wide = format!("line-maze: 1\n\n{}\n", "+---".repeat(1001));
+    assert_eq!(says(&wide), "Line 3, column 1: a maze has at most 1,000 × 1,000 points.");
+    let high = format!("line-maze: 1\n\n{}", "+\n|\n".repeat(1001));
+    assert_eq!(says(&high), "Line 2004, column 1: a maze has at most 1,000 × 1,000 points.");
+    let blank = format!("line-maze: 1\n\n+---F{}", "\n".repeat(100_000));
+    assert_eq!(text::parse(&blank).unwrap().cells(), 1, "blank lines at the end are no drawing");
+    let polylines = format!("line-maze: 1\n\nlines:\n{}", "0,0 999,0\n".repeat(400_000));
+    assert_eq!(text::parse(&polylines).unwrap().cells(), 999, "lines that overlap are one");
+    let json = json::parse(&" ".repeat(json::MAX_BYTES + 1)).unwrap_err().to_string();
+    assert_eq!(json, "A maze in JSON has at most 33,554,432 bytes (32 MiB); this one has 33,554,433.");
+}
+
+/// The examples in the documentation are what they say.
+#[test]
+fn the_documented_examples_can_be_read() {
+    let page = include_str!("../docs/formats.md");
+    let block = |fence: &str, nth: usize| {
+        let block = page.split(fence).nth(nth).unwrap();
+        block.split("```").next().unwrap().trim_start().to_owned()
+    };
+    let drawn = text::parse(&block("```text\n", 1)).unwrap();
+    let listed = text::parse(&block("```text\n", 2)).unwrap();
+    let json = json::parse(&block("```json\n", 1)).unwrap();
+    assert_eq!((drawn.cells(), drawn.start(), drawn.finish()), (4, listed.start(), listed.finish()));
+    assert_eq!(json::write(&json), block("```json\n", 1));
+    assert_eq!(drawn.lines().collect::<Vec<_>>(), listed.lines().collect::<Vec<_>>());
+    assert_eq!(drawn.lines().collect::<Vec<_>>(), json.lines().collect::<Vec<_>>());
+}
+
+/// Decisions of the format that a round trip cannot show.
+#[test]
+fn what_people_write_by_hand_is_understood() {
+    let same = |text: &str, other: &str| {
+        let read = |text: &str| {
+            text::parse(&format!("line-maze: 1\n{text}")).unwrap_or_else(|e| panic!("{e}\n{text}"))
+        };
+        assert_eq!(read(text), read(other), "{text}\n{other}");
+    };
+    same("\n+---F\n|\n^\n", "\n+---F\n|\n^   .\n");
+    same("\n\n\n.---F\n|\n^\n\n\n", "\n+---F\n|\n^   .\n");
+    same("columns: 2\n\n+-F\n|\n^\n", "\n+---F\n|\n^\n");
+    same(
+        "bounds: -1,-1 5,5\norigin: 0,0\n\n>---F\n",
+        "bounds: -1,-1 5,5\nstart: 0,0 E\nfinish: 1,0\n\nlines:\n0,0 1,0\n",
+    );
+    same("bounds: 0,0 1,0\nlines:\n0,0  1,0  \n\n  1,0 0,0", "\n+---+\n");
+    same("title:   Two\n words\n\n+---F", "title:Two words\r\n\r\n+---F\r\n");
+    same("note: a\\n\n  b\n\n+", "note: a\\nb\n\n+");
+    same("finish: 1,0\n\n+---F", "finish:\n\n+---F");
+    same("kind: line\ncell_mm: 200.0\nline_mm: 20.0004\n\n+", "\n+");
+}

@@ -30,9 +30,11 @@ pub enum BoundsError {
 impl fmt::Display for BoundsError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Reversed => write!(f, "bounds go from the south-west to the north-east corner"),
-            Self::TooLarge => write!(f, "a maze has at most {MAX_SIDE} × {MAX_SIDE} points"),
-            Self::TooFar => write!(f, "coordinates go from −{MAX_COORDINATE} to {MAX_COORDINATE}"),
+            Self::Reversed => {
+                f.write_str("the first corner is the south-west one, the second the north-east one")
+            }
+            Self::TooLarge => f.write_str("a maze has at most 1,000 × 1,000 points"),
+            Self::TooFar => f.write_str("coordinates go from −1,000,000 to 1,000,000"),
         }
     }
 }

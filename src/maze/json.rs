@@ -20,7 +20,7 @@ use alloc::vec::Vec;
 use core::fmt::Write;
 
 pub use error::{JsonError, Problem};
-use model::{Corners, Document, PointJson};
+use model::{Document, Pair, PointJson};
 
 use super::polyline::{self, Segment, SegmentError};
 use super::{About, Bounds, BoundsError, Kind, MAX_COORDINATE, Maze, Scale, ScaleError, Start};
@@ -39,7 +39,7 @@ pub fn parse(text: &str) -> Result<Maze, JsonError> {
         return Err(JsonError::TooLarge { bytes: text.len() });
     }
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-    let document: Document = serde_json::from_str(text).map_err(|error| syntax(text, &error))?;
+    let document: Document = serde_json::from_str(text).map_err(|error| error::syntax(text, &error))?;
     if document.format != model::FORMAT {
         return Err(value("format", Problem::Format));
     }
@@ -71,7 +71,7 @@ pub fn parse(text: &str) -> Result<Maze, JsonError> {
 fn lines(document: &Document) -> Result<(Bounds, Vec<Segment>), JsonError> {
     let bounds = match &document.bounds {
         None => None,
-        Some(Corners(sw, ne)) => {
+        Some(Pair(sw, ne)) => {
             let corners =
                 [point(sw, || String::from("bounds[0]"))?, point(ne, || String::from("bounds[1]"))?];
             let bounds = Bounds::new(corners[0], corners[1]);
@@ -127,19 +127,6 @@ fn on(bounds: Bounds, raw: &PointJson, path: impl Fn() -> String) -> Result<Poin
 
 fn value(path: &str, problem: Problem) -> JsonError {
     JsonError::Value { path: path.to_string(), problem }
-}
-
-/// The JSON reader's error with the place in characters instead of bytes.
-fn syntax(text: &str, error: &serde_json::Error) -> JsonError {
-    let line = error.line().max(1);
-    let before = text.lines().nth(line - 1).unwrap_or_default();
-    let bytes = before.len().min(error.column().saturating_sub(1));
-    let column = before.char_indices().take_while(|&(at, _)| at < bytes).count() + 1;
-    let mut message = error.to_string();
-    if let Some(place) = message.rfind(" at line ") {
-        message.truncate(place);
-    }
-    JsonError::Syntax { line, column, message }
 }
 
 /// Writes a maze: a key a line, a polyline a line.

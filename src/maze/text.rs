@@ -58,7 +58,7 @@ pub fn parse(text: &str) -> Result<Maze, ParseError> {
     Ok(maze)
 }
 
-const BODY: &str = "a drawing, or “lines:” and a list of polylines,";
+const BODY: &str = "a drawing or a list of polylines";
 
 /// Writes a maze file with a drawing or with a list of polylines, whichever is smaller.
 #[must_use]

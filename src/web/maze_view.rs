@@ -179,7 +179,7 @@ pub fn bot_shape() -> impl IntoView {
 pub fn Bot(#[prop(into)] pose: Signal<Pose>, #[prop(into)] pixel: Signal<f64>) -> impl IntoView {
     let transform = move || {
         let (pose, unit) = (pose.get(), f64::from(UNIT));
-        let scale = (0.62 * pixel.get()).max(1.0);
+        let scale = (0.62 * pixel.get()).max(1.25);
         let (x, y) = (pose.x * unit, -pose.y * unit);
         format!("translate({x:.2} {y:.2}) rotate({:.2}) scale({scale:.3})", pose.degrees)
     };

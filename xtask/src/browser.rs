@@ -7,7 +7,7 @@ use std::process::{Command, Stdio};
 
 use anyhow::{Context, Result, bail};
 
-use crate::shell::{Shell, run};
+use crate::shell::{Cure, Shell, run};
 use crate::tools::say;
 
 /// Where the browser and its driver are.
@@ -22,10 +22,9 @@ pub(crate) fn browser(shell: &Shell) -> Result<Browser> {
     if let Some(browser) = find(shell) {
         return Ok(browser);
     }
-    apt_install(shell, "Chromium, for the tests in a browser", &["chromium", "chromium-driver"]).context(
-        "Tests in a browser need Chromium (or Chrome) and a chromedriver of the same version. \
-         Install both, so that `chromium --version` and `chromedriver --version` answer, \
-         or set CHROMIUM and CHROMEDRIVER to their paths",
+    apt_install(shell, "Chromium, for the tests in a browser", &["chromium", "chromium-driver"]).cure(
+        "install Chromium or Chrome, and the chromedriver of the same version, so that `chromedriver --version` \
+         answers; or set CHROMIUM and CHROMEDRIVER to their paths",
     )?;
     find(shell).context("Chromium was installed, but isn't on the PATH")
 }
@@ -36,7 +35,7 @@ pub(crate) fn node(shell: &Shell) -> Result<()> {
         return Ok(());
     }
     apt_install(shell, "Node.js, for tools of the build", &["nodejs", "npm"])
-        .context("The build needs Node.js 18 or newer with npm; https://nodejs.org has it for every system")
+        .cure("install Node.js 18 or newer with npm; https://nodejs.org has it for every system")
 }
 
 fn find(shell: &Shell) -> Option<Browser> {
@@ -55,10 +54,10 @@ fn named(variable: &str) -> Option<PathBuf> {
 
 fn apt_install(shell: &Shell, what: &str, packages: &[&str]) -> Result<()> {
     if shell.find("apt-get").is_none() {
-        bail!("this is no Debian, so it can't be installed from here");
+        bail!("there's no {}, and without Debian's apt-get xtask can't install that", packages.join(" or "));
     }
     say(&format!("Installing {what} (some minutes)"));
-    run(apt_get(shell)?.args(["update", "-qq"])).context("no list of packages: is there a network?")?;
+    run(apt_get(shell)?.args(["update", "-qq"])).cure("is this computer connected to the internet?")?;
     run(apt_get(shell)?.args(["install", "-y", "-qq", "--no-install-recommends"]).args(packages))
 }
 

@@ -21,9 +21,9 @@ pub(crate) fn lint(shell: &Shell) -> Result<Counts> {
     tools::target(shell, WASM)?;
     let deny = ["--", "-D", "warnings"];
     let mut native = shell.cargo();
-    native.args(["clippy", "--quiet", "--workspace", "--all-targets", "--features", "cli"]).args(deny);
+    native.args(["clippy", "--workspace", "--all-targets", "--features", "cli"]).args(deny);
     let mut wasm = shell.cargo();
-    wasm.args(["clippy", "--quiet", "--target", WASM, "--features", "web", "--lib", "--bins"]);
+    wasm.args(["clippy", "--target", WASM, "--features", "web", "--lib", "--bins"]);
     if shell.root.join("tests/web.rs").exists() {
         wasm.args(["--test", "web"]);
     }

@@ -15,7 +15,7 @@ const DEVELOPMENT: &str = "<meta name=\"version\" content=\"development\"";
 
 pub(crate) fn dist(shell: &Shell) -> Result<()> {
     tools::for_release(shell)?;
-    say("Building the page to publish (2 or 3 minutes the first time)");
+    say("Building the page to publish (some minutes the first time)");
     let folder = folder(shell);
     run(trunk(shell, "build").args(["--release", "--public-url", "./"]).arg("--dist").arg(&folder))?;
     seal(&folder)?;

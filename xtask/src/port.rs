@@ -2,7 +2,9 @@
 
 use std::net::{Ipv4Addr, TcpListener};
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result, anyhow};
+
+use crate::shell::Cure;
 
 const FIRST: u16 = 8080;
 const TRIES: u16 = 100;
@@ -18,10 +20,8 @@ fn choose_among(wanted: Option<u16>, is_free: impl Fn(u16) -> bool) -> Result<u1
         Some(port) if is_free(port) => Ok(port),
         Some(port) => {
             let other = first_free().map_or_else(String::new, |free| format!(" Port {free} is free."));
-            bail!(
-                "port {port} is taken, perhaps by another `cargo xtask serve`: stop that one, \
-                 or leave --port away and a free one is found.{other}"
-            )
+            Err(anyhow!("port {port} is taken, perhaps by another `cargo xtask serve`"))
+                .cure(&format!("stop that one, or leave --port away and a free one is found.{other}"))
         }
         None => first_free().with_context(|| {
             format!("no port from {FIRST} to {} is free; name one with --port", FIRST + TRIES - 1)

@@ -34,8 +34,6 @@ pub(crate) fn serve(shell: &Shell, options: &Options) -> Result<ExitCode> {
     if options.release {
         trunk.arg("--release");
     }
-    // Without it trunk gives up when the folder is not there yet.
-    std::fs::create_dir_all(shell.root.join("target/serve"))?;
     say("Building the lab (a minute or two the first time, seconds later); its address follows");
     Command::new(std::env::current_exe()?).args([ANNOUNCE, &port.to_string()]).spawn()?;
     become_(trunk)

@@ -8,7 +8,7 @@ use std::process::{Command, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result, anyhow, bail};
 
 /// The workspace's folder and a search path that begins with the tools kept in `target/tools`.
 #[derive(Debug)]
@@ -71,6 +71,17 @@ fn search_path(root: &Path) -> Result<OsString> {
     let ours = [tools.join("bin"), tools.join("node_modules/.bin")];
     let theirs = env::var_os("PATH").unwrap_or_default();
     Ok(env::join_paths(ours.into_iter().chain(env::split_paths(&theirs)))?)
+}
+
+/// What a person can do about an error.
+pub(crate) trait Cure<T> {
+    fn cure(self, cure: &str) -> Result<T>;
+}
+
+impl<T> Cure<T> for Result<T> {
+    fn cure(self, cure: &str) -> Self {
+        self.map_err(|error| anyhow!("{error:#}\n  cure: {cure}"))
+    }
 }
 
 /// Runs a command in full view; an error unless it succeeds.

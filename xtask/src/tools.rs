@@ -7,9 +7,9 @@ use std::fs;
 use std::process::Command;
 use std::time::Duration;
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result, anyhow};
 
-use crate::shell::{Shell, run, run_within};
+use crate::shell::{Cure, Shell, run, run_within};
 
 pub(crate) const WASM: &str = "wasm32-unknown-unknown";
 pub(crate) const BOARD: &str = "thumbv6m-none-eabi";
@@ -19,7 +19,7 @@ const TRUNK: &str = "0.21.14";
 const BINARYEN: &str = "132.0.0";
 const DOWNLOAD_LIMIT: Duration = Duration::from_secs(300);
 const NO_NETWORK: &str = "is this computer connected to the internet? \
-     Once it is, run the same again: what is already installed stays";
+     Once it is, run the same again; what is already installed stays";
 
 /// Everything that a debug page needs.
 pub(crate) fn for_page(shell: &Shell) -> Result<()> {
@@ -41,13 +41,11 @@ pub(crate) fn target(shell: &Shell, target: &str) -> Result<()> {
         return Ok(());
     }
     if shell.find("rustup").is_none() {
-        bail!(
-            "this Rust can't build for {target}, and there's no rustup to add that; \
-             install Rust as https://rustup.rs says, or your distribution's package of {target}"
-        );
+        return Err(anyhow!("this Rust can't build for {target}, and there's no rustup to add that"))
+            .cure("install Rust as https://rustup.rs says, or your distribution's package for that target");
     }
     say(&format!("Adding {target} to Rust (some seconds)"));
-    run_within(shell.command("rustup").args(["target", "add", target]), DOWNLOAD_LIMIT).context(NO_NETWORK)
+    run_within(shell.command("rustup").args(["target", "add", target]), DOWNLOAD_LIMIT).cure(NO_NETWORK)
 }
 
 /// A part of the Rust toolchain, such as clippy.
@@ -56,8 +54,7 @@ pub(crate) fn component(shell: &Shell, component: &str, asks: &[&str]) -> Result
         return Ok(());
     }
     say(&format!("Adding {component} to Rust (some seconds)"));
-    run_within(shell.command("rustup").args(["component", "add", component]), DOWNLOAD_LIMIT)
-        .context(NO_NETWORK)
+    run_within(shell.command("rustup").args(["component", "add", component]), DOWNLOAD_LIMIT).cure(NO_NETWORK)
 }
 
 fn trunk(shell: &Shell) -> Result<()> {
@@ -66,7 +63,7 @@ fn trunk(shell: &Shell) -> Result<()> {
         return Ok(());
     }
     say(&format!("Compiling trunk {TRUNK}, which builds the page (once, about 6 minutes)"));
-    run(cargo_install(shell, "trunk", TRUNK, found.as_deref()).arg("--locked")).context(NO_NETWORK)
+    run(cargo_install(shell, "trunk", TRUNK, found.as_deref()).arg("--locked")).cure(NO_NETWORK)
 }
 
 /// The version has to be that of the library, so it's read from `Cargo.lock`.
@@ -85,7 +82,7 @@ pub(crate) fn wasm_bindgen(shell: &Shell) -> Result<()> {
         return Ok(());
     }
     say("That did not go with its own list of versions; trying with the newest ones that fit");
-    run(&mut install()).context(NO_NETWORK)
+    run(&mut install()).cure(NO_NETWORK)
 }
 
 fn wasm_opt(shell: &Shell) -> Result<()> {
@@ -104,7 +101,7 @@ pub(crate) fn npm_package(shell: &Shell, package: &str, version: &str, purpose: 
     npm.args(["install", "--no-audit", "--no-fund", "--loglevel=error", "--save-exact", "--prefix"]);
     npm.arg(shell.tools()).arg(format!("{package}@{version}"));
     fs::create_dir_all(shell.tools())?;
-    run_within(&mut npm, DOWNLOAD_LIMIT).context(NO_NETWORK)
+    run_within(&mut npm, DOWNLOAD_LIMIT).cure(NO_NETWORK)
 }
 
 pub(crate) fn say(what: &str) {

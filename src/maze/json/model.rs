@@ -3,9 +3,10 @@
 use alloc::string::String;
 use alloc::vec::Vec;
 use core::fmt;
+use core::marker::PhantomData;
 
 use serde::Deserialize;
-use serde::de::{Deserializer, Error, Visitor};
+use serde::de::{Deserializer, Error, IgnoredAny, SeqAccess, Visitor};
 
 use crate::geometry::Heading;
 use crate::maze::Kind;
@@ -61,14 +62,27 @@ pub(super) enum HeadingJson {
 }
 
 /// South-west and north-east corner.
-#[derive(Deserialize)]
-#[serde(expecting = "two points, the south-west and the north-east corner")]
-pub(super) struct Corners(pub(super) PointJson, pub(super) PointJson);
+pub(super) type Corners = Pair<PointJson>;
 
 /// x to the east, y to the north.
-#[derive(Clone, Copy, Deserialize)]
-#[serde(expecting = "a point (two whole numbers such as [3, 4])")]
-pub(super) struct PointJson(pub(super) Whole, pub(super) Whole);
+pub(super) type PointJson = Pair<Whole>;
+
+/// A list of exactly two.
+#[derive(Clone, Copy)]
+pub(super) struct Pair<T>(pub(super) T, pub(super) T);
+
+/// What two of a kind are together.
+pub(super) trait Paired {
+    const EXPECTED: &'static str;
+}
+
+impl Paired for PointJson {
+    const EXPECTED: &'static str = "a pair of points, the south-west and the north-east corner,";
+}
+
+impl Paired for Whole {
+    const EXPECTED: &'static str = "a point (two whole numbers such as [3, 4])";
+}
 
 /// A whole number of any size.
 #[derive(Clone, Copy)]
@@ -95,6 +109,29 @@ impl From<HeadingJson> for Heading {
             HeadingJson::S => Self::South,
             HeadingJson::W => Self::West,
         }
+    }
+}
+
+impl<'de, T: Paired + Deserialize<'de>> Deserialize<'de> for Pair<T> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Wanted<T>(PhantomData<T>);
+        impl<'de, T: Paired + Deserialize<'de>> Visitor<'de> for Wanted<T> {
+            type Value = Pair<T>;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str(T::EXPECTED)
+            }
+
+            fn visit_seq<A: SeqAccess<'de>>(self, mut items: A) -> Result<Pair<T>, A::Error> {
+                let first = items.next_element()?.ok_or_else(|| Error::invalid_length(0, &self))?;
+                let second = items.next_element()?.ok_or_else(|| Error::invalid_length(1, &self))?;
+                match items.next_element::<IgnoredAny>()? {
+                    None => Ok(Pair(first, second)),
+                    Some(_) => Err(Error::invalid_length(3, &self)),
+                }
+            }
+        }
+        deserializer.deserialize_seq(Wanted(PhantomData))
     }
 }
 

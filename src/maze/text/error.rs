@@ -4,6 +4,7 @@ use alloc::string::String;
 use core::fmt;
 
 use crate::geometry::Point;
+use crate::grouped::Grouped;
 use crate::maze::text::MAX_BYTES;
 use crate::maze::{Bounds, BoundsError, ScaleError};
 
@@ -125,7 +126,8 @@ impl fmt::Display for Problem {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::TooLarge { bytes } => {
-                write!(f, "A maze file has at most {MAX_BYTES} bytes (4 MiB); this one has {bytes}")
+                let most = Grouped(MAX_BYTES);
+                write!(f, "A maze file has at most {most} bytes (4 MiB); this one has {}", Grouped(*bytes))
             }
             Self::Expected { what, found } => match found.chars().next() {
                 None => write!(f, "{what} was expected, but there is nothing"),
@@ -153,7 +155,7 @@ impl fmt::Display for Problem {
             }
             &Self::Off { what, at, bounds } => write!(
                 f,
-                "{what} {at} is off the lattice, which goes from {} to {}; move it, or widen “bounds”",
+                "{what} {at} is off the lattice, which goes from {} to {}; move it, or set wider “bounds”",
                 bounds.sw(),
                 bounds.ne()
             ),

@@ -70,7 +70,9 @@ const KEYS: [&str; 11] = [
     "title", "source", "note", "kind", "cell_mm", "line_mm", "columns", "origin", "bounds", "start", "finish",
 ];
 
-const FIELD: &str = "“key: value”, or a blank line and then a drawing or “lines:”,";
+const UNINDENTED: &str = "a line that is not indented (only title, source and note go on in the next line)";
+
+const FIELD: &str = "“key: value” or a blank line (before the drawing)";
 
 /// Reads the header and the blank line after it.
 pub(super) fn read(lines: &mut Lines<'_>) -> Result<Header, ParseError> {
@@ -97,7 +99,7 @@ pub(super) fn read(lines: &mut Lines<'_>) -> Result<Header, ParseError> {
         before = *lines;
         if line.starts_with([' ', '\t']) {
             let more = Field::new(line, number, 0);
-            let value = free_text(&mut header.about, key).ok_or_else(|| more.expected(FIELD))?;
+            let value = free_text(&mut header.about, key).ok_or_else(|| more.expected(UNINDENTED))?;
             free::read(value, more.text, more.place())?;
             continue;
         }
@@ -118,12 +120,13 @@ pub(super) fn read(lines: &mut Lines<'_>) -> Result<Header, ParseError> {
 }
 
 fn version(lines: &mut Lines<'_>) -> Result<(), ParseError> {
-    let first = Field::new(lines.next().map_or("", |(_, line)| line), 1, 0);
-    let version = first.text.strip_prefix("line-maze:").map(str::trim_start);
-    match version {
-        Some("1") => Ok(()),
-        Some(version) if !version.is_empty() => {
-            Err(first.place().error(Problem::Version(version.chars().take(24).collect())))
+    let line = lines.next().map_or("", |(_, line)| line);
+    let first = Field::new(line, 1, 0);
+    let version = line.find(':').filter(|&colon| &line[..colon] == "line-maze");
+    match version.map(|colon| Field::new(line, 1, colon + 1)) {
+        Some(version) if version.text == "1" => Ok(()),
+        Some(version) if !version.text.is_empty() => {
+            Err(version.place().error(Problem::Version(version.text.chars().take(24).collect())))
         }
         _ => Err(first.expected("“line-maze: 1” (the first line of a maze file)")),
     }
@@ -153,7 +156,7 @@ fn read_value(key: &str, value: Field<'_>, header: &mut Header, sizes: &mut Size
             header.origin = Some((point.point()?, value.place()));
         }
         "bounds" => {
-            let [sw, ne] = value.exactly("two points (south-west and north-east corner)")?;
+            let [sw, ne] = value.exactly("a pair of points (south-west and north-east corner)")?;
             let bounds = Bounds::new(sw.point()?, ne.point()?);
             header.bounds = Some(bounds.map_err(|error| value.place().error(Problem::Bounds(error)))?);
         }

@@ -13,7 +13,7 @@ use crate::web::draw;
 use crate::web::state::{Lab, ToastTone, lab};
 
 /// The link to what is shown, if the maze fits into one.
-fn link(lab: Lab) -> Result<String, share::TooBig> {
+fn link(lab: Lab) -> Result<String, share::ShareError> {
     let shared = Shared {
         maze: lab.maze.with(|maze| (**maze).clone()),
         settings: lab.settings.get(),

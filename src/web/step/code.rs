@@ -33,13 +33,13 @@ pub fn CodeCard() -> impl IntoView {
         view! {
             <li class:ran=move || is(ran) class:next=move || is(next) aria-current=move || is(ran).then_some("step")>
                 <span class="ln">{listed.label}</span>
-                <span>{split(listed.text).map(token).collect_view()}</span>
+                <span class=indent(listed.text)>{split(listed.text).map(token).collect_view()}</span>
                 <span class="tag">{move || if is(ran) { "ran" } else if is(next) { "next" } else { "" }}</span>
             </li>
         }
     };
     view! {
-        <section class="card fill" aria-labelledby="code-title">
+        <section class="card fill code-card" aria-labelledby="code-title">
             <h2 id="code-title">
                 "The algorithm"
                 <span class="spacer"></span>
@@ -49,6 +49,16 @@ pub fn CodeCard() -> impl IntoView {
                 {LISTING.iter().enumerate().map(row).collect_view()}
             </ol>
         </section>
+    }
+}
+
+/// The class for a line's indentation: two spaces a level.
+fn indent(text: &str) -> &'static str {
+    match (text.len() - text.trim_start().len()) / 2 {
+        0 => "in-0",
+        1 => "in-1",
+        2 => "in-2",
+        _ => "in-3",
     }
 }
 

@@ -1,10 +1,11 @@
 //! What just happened: the case, the sentences, the variables, and where the book errs.
 
 use leptos::prelude::*;
+use wasm_bindgen::JsCast;
 
 use super::look_up;
 use super::result::ResultCard;
-use crate::explorer::book::errata::{self, Erratum};
+use crate::explorer::book::errata::{self, Erratum, Kind};
 use crate::explorer::book::narrate::{Narration, Span, Tone, narrate};
 use crate::geometry::Turn;
 use crate::trace::{Frame, State};
@@ -135,7 +136,7 @@ pub fn NowCard() -> impl IntoView {
                 <Said length=Length::Full />
             </div>
             {move || at_finish.get().then(|| view! { <ResultCard /> })}
-            {move || (lab.round.get() == Round::Explore).then(|| view! { <Errata /> <Variables /> })}
+            {move || (lab.round.get() == Round::Explore).then(|| view! { <Variables /> <Errata /> })}
         </section>
     }
 }
@@ -154,15 +155,24 @@ fn Errata() -> impl IntoView {
             })
         })
     });
-    view! {
-        <For each=move || notes.get() key=|note| note.0.title let:note>
-            <ErratumNote erratum=note.0 />
-        </For>
-        {move || notes.with(|notes| !notes.is_empty()).then(|| view! {
-            <div class="row errata-more">
-                <button class="btn" on:click=move |_| lab.dialog.set(Some(Dialog::Errata))>"All errata"</button>
-            </div>
-        })}
+    let titles =
+        move || notes.with(|notes| notes.iter().map(|note| note.0.title).collect::<Vec<_>>().join(" · "));
+    let open = RwSignal::new(false);
+    move || {
+        notes.with(|notes| !notes.is_empty()).then(|| view! {
+        <details class="errata-notes" prop:open=open.get_untracked() on:toggle=move |event| {
+            open.set(event.target().is_some_and(|details| details.unchecked_into::<web_sys::Element>().has_attribute("open")));
+        }>
+            <summary>
+                <span class="mark info">{crate::web::icons::book()}</span>
+                <span>{titles}</span>
+            </summary>
+            <For each=move || notes.get() key=|note| note.0.title let:note>
+                <ErratumNote erratum=note.0 />
+            </For>
+            <div class="row"><button class="btn" on:click=move |_| lab.dialog.set(Some(Dialog::Errata))>"All errata"</button></div>
+        </details>
+    })
     }
 }
 
@@ -191,6 +201,7 @@ pub fn ErratumNote(erratum: &'static Erratum) -> impl IntoView {
         <div class="note errata">
             <span class="mark info">{crate::web::icons::book()}</span>
             <div>
+                <p class="small">{match erratum.kind { Kind::Slip => "The book slips here", Kind::Open => "The book leaves this open" }}</p>
                 <p><b>{erratum.title}</b></p>
                 <p class="small">{erratum.section}": "{erratum.text}</p>
                 {erratum.printed.zip(erratum.meant).map(|(printed, meant)| slip(printed, meant))}
@@ -259,12 +270,15 @@ fn Variables() -> impl IntoView {
             .map(chip)
             .collect_view()
     };
+    let more = RwSignal::new(false);
     view! {
-        <div class="vars" aria-label="Variables" role="group">{move || chips(first)}</div>
-        <details class="more-vars">
-            <summary>"Clock and sensors"</summary>
-            <div class="vars">{move || chips(further)}</div>
-        </details>
+        <div class="vars" aria-label="Variables" role="group">
+            {move || chips(first)}
+            {move || more.get().then(|| chips(further))}
+            <button class="var more" aria-expanded=move || more.get().to_string() on:click=move |_| more.update(|on| *on = !*on)>
+                {move || if more.get() { "less ▴" } else { "clock, sensors ▾" }}
+            </button>
+        </div>
     }
 }
 

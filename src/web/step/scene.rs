@@ -21,7 +21,6 @@ struct Drawn {
     remembered: String,
     given_up: String,
     crossed: String,
-    marks: String,
 }
 
 /// The picture of the run.
@@ -81,8 +80,9 @@ pub fn Stage() -> impl IntoView {
                 })}
                 {move || (lab.round.get() == Round::Solved).then(|| view! { <path class="route" d=move || route(lab) /> })}
                 <Ends camera=camera />
-                <Nodes camera=camera />
+                // Under the nodes, so that their numbers stay readable: nose and wheels look out.
                 <Bot pose=Signal::derive(move || pose(lab)) pixel=Signal::derive(move || camera.pixel()) />
+                <Nodes camera=camera />
             </svg>
             <Compass north=Signal::derive(move || lab.north()) />
             <span class="zoom"><ZoomButtons camera=camera /></span>
@@ -170,7 +170,6 @@ fn draw_trails(run: &Run, stop: u32) -> Drawn {
         remembered: shown(Trail::Remembered),
         given_up: shown(Trail::GivenUp),
         crossed: shown(Trail::Crossed),
-        marks: String::new(),
     }
 }
 
@@ -239,7 +238,7 @@ fn Ends(camera: Camera) -> impl IntoView {
             let finish: Vec<Point> = maze.finish().iter().copied().filter(|&at| known(at)).collect();
             let start = maze.start().map(|start| {
                 let (x, y) = (f64::from(start.at.x * UNIT), f64::from(-start.at.y * UNIT));
-                view! { <Label x=x + 12.0 + 5.0 * pixel y=y + 3.0 pixel=pixel text="start" /> }
+                view! { <Label x=x + 32.0 + 4.0 * pixel y=y + 6.0 pixel=pixel text="start" /> }
             });
             view! {
                 {finish.into_iter().enumerate().map(|(i, at)| finish_mark(at, i == 0, pixel)).collect_view()}

@@ -246,7 +246,7 @@ fn EventPicker() -> impl IntoView {
     };
     view! {
         <span class="group">
-            <select class="input" aria-label="Kind of event" on:change=choose>
+            <select class="input event-kind" aria-label="Kind of event" on:change=choose>
                 <option value="0">"any event"</option>
                 {Mark::NAMED.iter().zip(1..).map(|((_, name), i)| view! { <option value=i>{*name}</option> }).collect_view()}
             </select>
