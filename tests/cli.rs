@@ -281,7 +281,9 @@ fn generate_prints_a_maze_that_the_others_read() {
     assert_eq!(maze.out, linemaze(&args).out, "the same seed gives the same maze");
     assert_ne!(maze.out, linemaze(&["generate", "--size", "20x12", "--seed", "8"]).out);
     assert_eq!(with_input(&["check", "-"], &maze.out).status, 0);
-    assert_eq!(with_input(&["run", "-", "--node-max", "1000"], &maze.out).status, 0);
+    let run = with_input(&["run", "-", "--node-max", "1000"], &maze.out);
+    assert_eq!(run.status, 0);
+    assert!(run.out.lines().all(|line| line.chars().count() < 110), "{}", run.out);
     let walls = linemaze(&["generate", "--kind", "wall"]);
     assert!(walls.out.contains("kind: wall"), "{}", walls.out);
     for (args, message) in [
