@@ -14,6 +14,7 @@ extern crate std;
 pub mod event;
 pub mod explorer;
 pub mod geometry;
+pub mod gesture;
 mod grouped;
 pub mod ink;
 pub mod maze;

@@ -14,6 +14,7 @@ pub mod header;
 pub mod icons;
 pub mod keys;
 pub mod maze_view;
+pub mod notes;
 pub mod paths;
 pub mod projector;
 pub mod rescue;

@@ -1,5 +1,7 @@
 //! Any readable maze file: what it holds decides the format, not what it is called.
 
+use alloc::format;
+use alloc::string::String;
 use core::fmt;
 
 use super::{Maze, json, text};
@@ -75,4 +77,24 @@ impl core::error::Error for ReadError {
             Self::Text(error) => Some(error),
         }
     }
+}
+
+/// A name for a maze's file: its title in characters that every file system takes.
+///
+/// ```
+/// use line_maze_lab::maze::{file, samples};
+/// assert_eq!(file::name(&samples::figure_3_1(), "maze"), "the-run-of-the-book.maze");
+/// ```
+#[must_use]
+pub fn name(maze: &Maze, extension: &str) -> String {
+    let mut name = String::new();
+    for c in maze.about.title.chars().take(60) {
+        if c.is_alphanumeric() {
+            name.extend(c.to_lowercase());
+        } else if !name.ends_with('-') && !name.is_empty() {
+            name.push('-');
+        }
+    }
+    let name = name.trim_end_matches('-');
+    format!("{}.{extension}", if name.is_empty() { "maze" } else { name })
 }

@@ -7,7 +7,7 @@ use super::icons;
 use super::state::{Dialog, ToastAction, ToastTone, lab};
 
 mod books;
-mod settings;
+pub mod settings;
 mod share;
 
 /// The open dialog.

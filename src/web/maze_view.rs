@@ -55,19 +55,32 @@ pub struct Camera {
     bounds: Memo<Bounds>,
     moved: RwSignal<Option<Viewport>>,
     most: f64,
+    edge: f64,
 }
 
 impl Camera {
     /// A camera on a lattice; a fitted cell is at most `most` pixels.
     #[must_use]
     pub fn new(size: ReadSignal<Size>, bounds: Memo<Bounds>, most: f64) -> Self {
-        Self { size, bounds, moved: RwSignal::new(None), most }
+        Self { size, bounds, moved: RwSignal::new(None), most, edge: 0.0 }
+    }
+
+    /// The same with so many pixels free at every edge of the picture that shows everything.
+    #[must_use]
+    pub const fn with_edge(self, edge: f64) -> Self {
+        Self { edge, ..self }
+    }
+
+    fn fitted(self) -> Viewport {
+        let Size { w, h } = self.size.get();
+        let inner = Size { w: (w - 2.0 * self.edge).max(1.0), h: (h - 2.0 * self.edge).max(1.0) };
+        Viewport::fit(self.bounds.get(), inner, self.most)
     }
 
     /// What the picture shows.
     #[must_use]
     pub fn view(self) -> Viewport {
-        self.moved.get().unwrap_or_else(|| Viewport::fit(self.bounds.get(), self.size.get(), self.most))
+        self.moved.get().unwrap_or_else(|| self.fitted())
     }
 
     /// Whether everything is shown.
@@ -100,6 +113,18 @@ impl Camera {
         let (px, py) = view.to_screen(size, f64::from(at.x), f64::from(at.y));
         if !(20.0..=size.w - 20.0).contains(&px) || !(20.0..=size.h - 20.0).contains(&py) {
             self.moved.set(Some(Viewport { x: f64::from(at.x), y: f64::from(at.y), ..view }));
+        }
+    }
+
+    /// Moves the paper, and zooms out if needed, so that a part of the lattice is in the picture.
+    pub fn show_all(self, part: Bounds) {
+        let (view, size) = untrack(|| (self.view(), self.size.get()));
+        let inside = |at: Point| {
+            let (px, py) = view.to_screen(size, f64::from(at.x), f64::from(at.y));
+            (30.0..=size.w - 30.0).contains(&px) && (30.0..=size.h - 30.0).contains(&py)
+        };
+        if !inside(part.sw()) || !inside(part.ne()) {
+            self.moved.set(Some(Viewport::fit(part, size, view.scale)));
         }
     }
 

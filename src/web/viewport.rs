@@ -1,7 +1,6 @@
 //! The one projection between lattice and screen: where a lattice point is in the picture, and which one is
 //! under the pointer. Screen coordinates are CSS pixels from the picture's upper left corner, y down.
 
-use crate::geometry::{Heading, Point};
 use crate::maze::Bounds;
 
 /// A size in CSS pixels.
@@ -71,27 +70,11 @@ impl Viewport {
     }
 }
 
-/// The lattice point nearest to a place.
-#[must_use]
-pub fn nearest_point((x, y): (f64, f64)) -> Point {
-    Point::new(x.round() as i32, y.round() as i32)
-}
-
-/// The cell of lattice nearest to a place, by its southern or western end, and how far away it is in cells.
-#[must_use]
-pub fn nearest_cell((x, y): (f64, f64)) -> ((Point, Heading), f64) {
-    let across = (x - x.round()).abs();
-    let along = (y - y.round()).abs();
-    if across < along {
-        ((Point::new(x.round() as i32, y.floor() as i32), Heading::North), across)
-    } else {
-        ((Point::new(x.floor() as i32, y.round() as i32), Heading::East), along)
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::{Heading, Point};
+    use crate::gesture::{nearest_cell, nearest_point};
 
     const SIZE: Size = Size { w: 800.0, h: 600.0 };
 

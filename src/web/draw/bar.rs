@@ -1,0 +1,79 @@
+//! Above the drawing: files, title, size, history, generator.
+
+use leptos::prelude::*;
+
+use super::desk::{desk, many};
+use super::menu::FileMenu;
+use crate::maze::edit::History;
+use crate::web::icons;
+use crate::web::state::{Dialog, lab};
+
+/// The bar.
+#[component]
+pub fn Bar() -> impl IntoView {
+    let (lab, desk) = (lab(), desk());
+    let title = move || {
+        lab.maze.with(|maze| {
+            if maze.about.title.is_empty() { "Untitled maze".to_owned() } else { maze.about.title.clone() }
+        })
+    };
+    let size = move || {
+        lab.maze.with(|maze| {
+            let bounds = maze.bounds();
+            format!(
+                "{} × {} points · {} · {}",
+                bounds.width(),
+                bounds.height(),
+                many(maze.cells(), "cell"),
+                many(maze.nodes(), "node")
+            )
+        })
+    };
+    view! {
+        <div class="bar">
+            <FileMenu />
+            <span class="title">
+                <b>{title}</b>
+                <button class="btn icon quiet" aria-label="Rename, describe" title="Title, source and note" on:click=move |_| lab.dialog.set(Some(Dialog::About))>
+                    {icons::pen()}
+                </button>
+            </span>
+            <span class="hide-m size">{size}</span>
+            <span class="spacer"></span>
+            <Past />
+            <button
+                class="btn generate"
+                id="generate"
+                aria-expanded=move || desk.generating.get().to_string()
+                on:click=move |_| desk.generating.update(|on| *on = !*on)
+            >
+                "Generate"
+            </button>
+        </div>
+    }
+}
+
+/// Undo and redo, each with what it would do.
+#[component]
+fn Past() -> impl IntoView {
+    let lab = lab();
+    let undo = move || {
+        let label = lab.history.with(History::undo_label);
+        label.map_or_else(|| "Undo (Ctrl Z)".to_owned(), |label| format!("Undo: {label} (Ctrl Z)"))
+    };
+    let redo = move || {
+        let label = lab.history.with(History::redo_label);
+        label
+            .map_or_else(|| "Redo (Ctrl Shift Z)".to_owned(), |label| format!("Redo: {label} (Ctrl Shift Z)"))
+    };
+    view! {
+        <span class="group" role="group" aria-label="History">
+            <button class="btn icon" aria-label=undo title=undo disabled=move || !lab.history.with(History::can_undo) on:click=move |_| lab.undo()>
+                {icons::undo()}
+            </button>
+            <button class="btn icon" aria-label=redo title=redo disabled=move || !lab.history.with(History::can_redo) on:click=move |_| lab.redo()>
+                {icons::redo()}
+            </button>
+        </span>
+    }
+}

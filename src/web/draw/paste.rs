@@ -1,0 +1,51 @@
+//! A maze or a link, pasted by hand.
+
+use leptos::html;
+use leptos::prelude::*;
+
+use super::desk::say_done;
+use crate::maze::file;
+use crate::web::app::{self, LINK};
+use crate::web::dialogs::Modal;
+use crate::web::state::lab;
+
+/// The dialog.
+#[component]
+pub fn Paste() -> impl IntoView {
+    let lab = lab();
+    let text = NodeRef::<html::Textarea>::new();
+    let wrong = RwSignal::new(String::new());
+    let open = move |event: web_sys::SubmitEvent| {
+        event.prevent_default();
+        let text = text.get_untracked().map(|field| field.value()).unwrap_or_default();
+        if is_link(&text) {
+            lab.dialog.set(None);
+            return app::open_text(lab, &text);
+        }
+        match file::read(text.as_bytes()) {
+            Ok(maze) => {
+                lab.dialog.set(None);
+                lab.broken_link.set(None);
+                lab.open(maze);
+                say_done(lab, "The pasted maze is open.".to_owned());
+            }
+            Err(why) => wrong.set(why.to_string()),
+        }
+    };
+    view! {
+        <Modal title="Paste a maze">
+            <form class="stack" on:submit=open>
+                <label class="field" for="paste">"The text of a .maze or .json file, or a link to a maze"</label>
+                <textarea class="input" id="paste" rows="12" spellcheck="false" autocomplete="off" node_ref=text
+                    aria-invalid=move || (!wrong.with(String::is_empty)).to_string() aria-describedby="paste-wrong"></textarea>
+                <p class="wrong" id="paste-wrong" role="alert">{wrong}</p>
+                <div class="row"><button class="btn primary" type="submit">"Open"</button></div>
+            </form>
+        </Modal>
+    }
+}
+
+/// Whether it is one line with a maze in its address.
+fn is_link(text: &str) -> bool {
+    text.trim().split_once(&format!("#{LINK}")).is_some_and(|(before, _)| !before.contains('\n'))
+}
