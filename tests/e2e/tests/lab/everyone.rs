@@ -49,7 +49,9 @@ async fn everything_fits(width: u32, height: u32) -> Result<()> {
         let mut found = BTreeSet::new();
         let mut look = async |what: &str| -> Result<()> {
             let troubles = page.call(TROUBLES, &[]).await?;
-            found.extend(troubles.as_array().into_iter().flatten().map(|trouble| format!("{what}: {trouble}")));
+            found.extend(
+                troubles.as_array().into_iter().flatten().map(|trouble| format!("{what}: {trouble}")),
+            );
             Ok(())
         };
         look("the start").await?;
