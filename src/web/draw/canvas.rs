@@ -14,6 +14,8 @@ use crate::web::paths::UNIT;
 #[component]
 pub fn Canvas() -> impl IntoView {
     let desk = desk();
+    // A pointer's focus needs no ring.
+    let held = RwSignal::new(false);
     let label = move || {
         let bounds = desk.lab.maze.with(|maze| maze.bounds());
         format!(
@@ -32,9 +34,17 @@ pub fn Canvas() -> impl IntoView {
             aria-label=label
             aria-describedby="draw-status"
             data-tool=move || format!("{:?}", desk.held_tool()).to_lowercase()
+            class:held=move || held.get()
+            on:blur=move |_| held.set(false)
             class:panning=move || desk.doing.with(|doing| *doing == Doing::Pan)
-            on:keydown=move |event| keyboard::on_canvas(desk, &event)
-            on:pointerdown=move |event| press(desk, &event)
+            on:keydown=move |event| {
+                held.set(false);
+                keyboard::on_canvas(desk, &event);
+            }
+            on:pointerdown=move |event| {
+                press(desk, &event);
+                held.set(true);
+            }
             on:pointermove=move |event| drag(desk, &event)
             on:pointerup=move |event| release(desk, event.pointer_id())
             on:pointercancel=move |event| desk.hand.update(|hand| hand.lose(event.pointer_id()))
