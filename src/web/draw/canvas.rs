@@ -35,7 +35,10 @@ pub fn Canvas() -> impl IntoView {
             aria-describedby="draw-status"
             data-tool=move || format!("{:?}", desk.held_tool()).to_lowercase()
             class:held=move || held.get()
-            on:blur=move |_| held.set(false)
+            on:blur=move |_| {
+                held.set(false);
+                desk.by_keyboard.set(false);
+            }
             class:panning=move || desk.doing.with(|doing| *doing == Doing::Pan)
             on:keydown=move |event| {
                 held.set(false);
