@@ -57,7 +57,8 @@ pub fn explore_with<S: NodeStore>(maze: &Maze, settings: &Settings, nodes: S) ->
 /// `8 × ways in the maze + 64`: more stops than any sound exploration takes.
 #[must_use]
 pub fn stop_limit(maze: &Maze) -> u32 {
-    maze.joined_points().map(|(_, ways)| ways.count() * 8).sum::<u32>().saturating_add(64)
+    // A cell of line is a way out of both of its ends.
+    (maze.cells() as u32).saturating_mul(16).saturating_add(64)
 }
 
 /// Drives until the mind ends the run, turns where there is no line, or passes `limit` stops.

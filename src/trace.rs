@@ -20,6 +20,7 @@ mod row;
 mod script;
 mod visits;
 
+use frame::Pauses;
 pub use frame::{Frame, Moment, State};
 pub use row::{Row, WayState};
 pub use script::events;
@@ -109,7 +110,7 @@ impl Step {
 /// A whole run of the book's explorer.
 #[derive(Clone, Debug)]
 pub struct Trace {
-    pace: Pace,
+    pauses: Pauses,
     steps: Vec<Step>,
     keys: Vec<State>,
     visits: Visits,
@@ -148,7 +149,7 @@ impl Trace {
         let key = stop / KEY_EVERY;
         let mut state = self.keys[key];
         for step in &self.steps[key * KEY_EVERY..stop] {
-            state.advance(*step, &self.pace);
+            state.advance(*step, &self.pauses);
         }
         state
     }
@@ -189,7 +190,7 @@ impl Timeline for Trace {
 /// Writes a trace while a run goes on: it listens to the explorer's events and keeps what a step needs.
 #[derive(Debug)]
 pub struct Recorder {
-    pace: Pace,
+    pauses: Pauses,
     state: State,
     steps: Vec<Step>,
     keys: Vec<State>,
@@ -202,7 +203,14 @@ impl Recorder {
     #[must_use]
     pub fn new(pace: Pace) -> Self {
         let state = State::default();
-        Self { pace, state, steps: Vec::new(), keys: alloc::vec![state], case: Case::Corner, node: 0 }
+        Self {
+            pauses: Pauses::of(&pace),
+            state,
+            steps: Vec::new(),
+            keys: alloc::vec![state],
+            case: Case::Corner,
+            node: 0,
+        }
     }
 
     /// Takes an event of the stop that goes on.
@@ -220,7 +228,7 @@ impl Recorder {
         let step = Step::new(sighting, self.state.bot_dir, self.case, self.node, turn);
         self.node = 0;
         self.steps.push(step);
-        self.state.advance(step, &self.pace);
+        self.state.advance(step, &self.pauses);
         if self.steps.len().is_multiple_of(KEY_EVERY) {
             self.keys.push(self.state);
         }
@@ -249,6 +257,6 @@ impl Recorder {
     pub fn finish(mut self, outcome: Outcome) -> Trace {
         self.steps.shrink_to_fit();
         let visits = Visits::of(&self.steps);
-        Trace { pace: self.pace, steps: self.steps, keys: self.keys, visits, outcome }
+        Trace { pauses: self.pauses, steps: self.steps, keys: self.keys, visits, outcome }
     }
 }

@@ -116,22 +116,22 @@ impl<'m> Ideal<'m> {
     }
 }
 
-/// Ways relative to the robot that mean: drive on.
-const STRAIGHT: Ways = Ways::NONE.with(Heading::North).with(Heading::South);
-
 impl World for Ideal<'_> {
     fn drive(&mut self, turn: Turn) -> Result<Sighting, NoLine> {
         self.heading = self.heading.turned(turn);
         if !self.maze.has_line(self.at, self.heading) {
             return Err(NoLine);
         }
+        // Line ahead and behind and nothing else: drive on.
+        let straight = Ways::NONE.with(self.heading).with(self.heading.opposite());
         let mut cells = 0;
         loop {
             self.at = self.at.step(self.heading);
             cells += 1;
-            let ways = self.maze.ways(self.at).in_frame_of(self.heading);
+            let ways = self.maze.ways(self.at);
             let finish = if self.maze.is_finish(self.at) { Finish::Yes } else { Finish::No };
-            if ways != STRAIGHT || finish == Finish::Yes {
+            if ways != straight || finish == Finish::Yes {
+                let ways = ways.in_frame_of(self.heading);
                 return Ok(Sighting { ways, finish, time_diff: cells * self.cell_ms });
             }
         }

@@ -79,6 +79,18 @@ proptest! {
 }
 
 #[test]
+fn a_new_edit_takes_the_place_of_what_was_undone() {
+    let mut history = History::new(Maze::new(Bounds::new(Point::new(0, 0), Point::new(3, 3)).unwrap()));
+    let line = |x| Edit::Draw(stroke(Point::new(x, 0), Point::new(x, 2)));
+    assert!(history.apply(line(0)) && history.apply(line(1)) && history.undo());
+    assert!(!history.apply(line(0)), "nothing new");
+    assert!(history.can_redo(), "so the undone line can still come back");
+    assert!(history.apply(line(2)));
+    assert!(!history.can_redo());
+    assert_eq!(history.maze().cells(), 4);
+}
+
+#[test]
 fn labels_say_what_is_undone() {
     let bounds = Bounds::new(Point::new(0, 0), Point::new(3, 3)).unwrap();
     let mut history = History::new(Maze::new(bounds));

@@ -333,6 +333,13 @@ mod tests {
     }
 
     #[test]
+    fn errors_come_first() {
+        let findings = found("finish: 0,0 2,0\n\n>---+   .\n");
+        assert!(findings[0].starts_with("Error: Finish is on the start"), "{findings:?}");
+        assert!(findings[1].starts_with("Warning: Finish is not on a line"), "{findings:?}");
+    }
+
+    #[test]
     fn a_piece_apart_has_its_cells_and_its_place() {
         let maze = text::parse("line-maze: 1\n\n>---F   +---+\n            |\n.   .   .   +\n").unwrap();
         let findings = check(&maze);

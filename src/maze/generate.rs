@@ -159,11 +159,9 @@ fn below(random: &mut Rand32, count: usize) -> usize {
 /// Draws a share of the links between neighbours that are not joined; the start stays a line's end.
 fn add_loops(maze: &mut Maze, start: Point, percent: u8, random: &mut Rand32) {
     let bounds = maze.bounds();
+    // A link is named by its southern or western end, and nothing is south or west of the start.
     let missing = |maze: &Maze, (at, heading): (Point, Heading)| {
-        at != start
-            && at.step(heading) != start
-            && bounds.contains(at.step(heading))
-            && !maze.has_line(at, heading)
+        at != start && bounds.contains(at.step(heading)) && !maze.has_line(at, heading)
     };
     let links = || bounds.points().flat_map(|at| [(at, Heading::North), (at, Heading::East)]);
     let count = links().filter(|&link| missing(maze, link)).count();
@@ -223,9 +221,8 @@ fn cut_dead_ends(maze: &mut Maze, percent: u8, random: &mut Rand32) {
     for end in ends {
         if choice.next(random) {
             let mut at = end;
-            while !stays(maze, at)
-                && let Some(heading) = maze.ways(at).only()
-            {
+            // It ends at a node: the finish is the furthest point, so no dead end lies behind it.
+            while let Some(heading) = maze.ways(at).only() {
                 maze.erase(at, heading);
                 at = at.step(heading);
             }

@@ -66,13 +66,12 @@ impl State {
     }
 
     /// The clock when the bot drives off after a stop at `curr_time`.
-    fn depart(&mut self, turn: Turn, pace: &Pace) {
-        let seconds = pace.seconds(turn) + pace.stop_s;
-        self.prev_time = self.curr_time + (seconds * 1000.0 + 0.5) as u64;
+    const fn depart(&mut self, turn: Turn, pauses: &Pauses) {
+        self.prev_time = self.curr_time + pauses.0[turn as usize];
     }
 
     /// A whole stop.
-    pub(super) fn advance(&mut self, step: Step, pace: &Pace) {
+    pub(super) fn advance(&mut self, step: Step, pauses: &Pauses) {
         self.drive(step.time_diff());
         match step.case() {
             Case::New | Case::Known => {
@@ -88,7 +87,7 @@ impl State {
         }
         if let Some(turn) = step.turn() {
             self.turn(turn);
-            self.depart(turn, pace);
+            self.depart(turn, pauses);
         }
     }
 
@@ -101,6 +100,16 @@ impl State {
             Event::Turned(turn) => self.turn(turn),
             Event::Ran(_) | Event::Matched(_) | Event::Recorded(_) | Event::Visited(..) | Event::Case(_) => {}
         }
+    }
+}
+
+/// Whole milliseconds from a stop to driving off, for each [`Turn`].
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Pauses([u64; 4]);
+
+impl Pauses {
+    pub(super) fn of(pace: &Pace) -> Self {
+        Self(Turn::ALL.map(|turn| ((pace.seconds(turn) + pace.stop_s) * 1000.0 + 0.5) as u64))
     }
 }
 

@@ -101,7 +101,7 @@ fn tell(maze: &Maze, trace: &Trace, report: &Report, out: &mut impl Write) -> Re
         memory_bytes / NODE_BYTES
     )?;
     if let (Some(cells), Some(seconds)) = (report.route_cells, report.route_s) {
-        let turns = report.turns.as_deref().filter(|turns| !turns.is_empty()).unwrap_or("no node on it");
+        let turns = shown(report.turns.as_deref().unwrap_or_default());
         writeln!(out, "route        {cells} cells in {seconds:.1} s: {turns}")?;
     } else if let Some(reason) = report.reason.as_ref().filter(|_| trace.outcome() == Outcome::Finish) {
         writeln!(out, "route        none: {reason}")?;
@@ -116,6 +116,18 @@ fn tell(maze: &Maze, trace: &Trace, report: &Report, out: &mut impl Write) -> Re
         writeln!(out, "{name}     {cells} cells in {seconds:.1} s{ratio}")?;
     }
     Ok(())
+}
+
+/// A turn list as far as it fits a line.
+fn shown(turns: &str) -> String {
+    const MOST: usize = 60;
+    match turns.get(..MOST) {
+        _ if turns.is_empty() => "no node on the way".to_owned(),
+        Some(first) if turns.len() > MOST => {
+            format!("{first}… ({} turns; --json prints them all)", turns.len())
+        }
+        _ => turns.to_owned(),
+    }
 }
 
 /// A stop in words, a column each.

@@ -6,6 +6,7 @@
 //! neighbour.
 
 use alloc::vec::Vec;
+use core::ops::RangeInclusive;
 
 use hashbrown::HashMap;
 
@@ -17,7 +18,12 @@ const TILE_SHIFT: u32 = 3;
 const TILE_MASK: i32 = (1 << TILE_SHIFT) - 1;
 const TILE_LEN: usize = 1 << (2 * TILE_SHIFT);
 
-type Tile = [u32; TILE_LEN];
+/// A node's bucket, as a place in `heads`, and the node below it there, or 0.
+#[derive(Clone, Copy, Debug)]
+struct Link {
+    head: u32,
+    below: u32,
+}
 
 /// A growing table with an index by place.
 #[derive(Clone, Debug)]
@@ -25,12 +31,14 @@ pub struct GridStore {
     capacity: u32,
     epsilon: u32,
     nodes: Vec<Node>,
-    /// The node below in the same bucket, or 0.
-    below: Vec<u32>,
+    /// For each node, where its bucket is and who was there before.
+    links: Vec<Link>,
     /// Numbers of nodes with unvisited ways, ascending; closed and forgotten ones are dropped when they
     /// come to the end.
     open: Vec<u32>,
-    tiles: Vec<Tile>,
+    /// The highest node of each bucket, or 0; 8 × 8 buckets together.
+    heads: Vec<u32>,
+    /// The numbers of the tiles that there are.
     tile_at: HashMap<(i32, i32), u32>,
     at_hand: Option<((i32, i32), u32)>,
 }
@@ -46,26 +54,26 @@ impl GridStore {
             capacity,
             epsilon,
             nodes: Vec::new(),
-            below: Vec::new(),
+            links: Vec::new(),
             open: Vec::new(),
-            tiles: Vec::new(),
+            heads: Vec::new(),
             tile_at: HashMap::new(),
             at_hand: None,
         }
     }
 
-    /// The bucket of a coordinate moved by `shift`. Buckets are centred on multiples of their width, where
-    /// the lattice points of an ideal world are.
-    fn along(&self, coordinate: i32, shift: i64) -> i32 {
+    /// The column (or row) of a coordinate, and those of the least and the greatest coordinate that match it.
+    /// Buckets are centred on multiples of their width, where the lattice points of an ideal world are.
+    fn along(&self, coordinate: i32) -> (i32, RangeInclusive<i32>) {
         let epsilon = i64::from(self.epsilon.max(1));
-        (i64::from(coordinate) + epsilon + shift).div_euclid(2 * epsilon) as i32
+        let from_edge = i64::from(coordinate) + epsilon;
+        let (column, inside) = (from_edge.div_euclid(2 * epsilon) as i32, from_edge.rem_euclid(2 * epsilon));
+        let least = if inside < epsilon - 1 { column - 1 } else { column };
+        let greatest = if inside > epsilon { column + 1 } else { column };
+        (column, least..=greatest)
     }
 
-    fn bucket(&self, x: i32, y: i32) -> Bucket {
-        (self.along(x, 0), self.along(y, 0))
-    }
-
-    /// The tile of a bucket, if there is one.
+    /// The number of the tile that a bucket is in, if there is one.
     fn tile(&mut self, (column, row): Bucket) -> Option<u32> {
         let key = (column >> TILE_SHIFT, row >> TILE_SHIFT);
         match self.at_hand {
@@ -78,31 +86,25 @@ impl GridStore {
         }
     }
 
-    const fn place((column, row): Bucket) -> usize {
-        ((row & TILE_MASK) << TILE_SHIFT | (column & TILE_MASK)) as usize
+    /// Where in `heads` a bucket of a tile is.
+    const fn place(tile: u32, (column, row): Bucket) -> u32 {
+        (tile << (2 * TILE_SHIFT)) | ((row & TILE_MASK) << TILE_SHIFT | (column & TILE_MASK)) as u32
     }
 
     /// The highest node of a bucket, or 0.
     fn head(&mut self, bucket: Bucket) -> u32 {
-        self.tile(bucket).map_or(0, |tile| self.tiles[tile as usize][Self::place(bucket)])
+        self.tile(bucket).map_or(0, |tile| self.heads[Self::place(tile, bucket) as usize])
     }
 
-    /// Where the highest node of a bucket is kept; makes the tile if there is none.
-    fn head_mut(&mut self, bucket: Bucket) -> &mut u32 {
+    /// Where in `heads` a bucket is; makes its tile if there is none.
+    fn make(&mut self, bucket: Bucket) -> u32 {
         let tile = self.tile(bucket).unwrap_or_else(|| {
-            let tile = self.tiles.len() as u32;
-            self.tiles.push([0; TILE_LEN]);
+            let tile = (self.heads.len() / TILE_LEN) as u32;
+            self.heads.resize(self.heads.len() + TILE_LEN, 0);
             self.tile_at.insert((bucket.0 >> TILE_SHIFT, bucket.1 >> TILE_SHIFT), tile);
             tile
         });
-        &mut self.tiles[tile as usize][Self::place(bucket)]
-    }
-
-    fn pop(&mut self) {
-        if let (Some(node), Some(below)) = (self.nodes.pop(), self.below.pop()) {
-            let bucket = self.bucket(node.x_cor, node.y_cor);
-            *self.head_mut(bucket) = below;
-        }
+        Self::place(tile, bucket)
     }
 }
 
@@ -127,9 +129,9 @@ impl NodeStore for GridStore {
         // Numbers are used again: what an earlier node left at the end of `open` goes first.
         while self.open.pop_if(|&mut last| last >= m).is_some() {}
         self.open.push(m);
-        let bucket = self.bucket(node.x_cor, node.y_cor);
-        let below = core::mem::replace(self.head_mut(bucket), m);
-        self.below.push(below);
+        let head = self.make((self.along(node.x_cor).0, self.along(node.y_cor).0));
+        let below = core::mem::replace(&mut self.heads[head as usize], m);
+        self.links.push(Link { head, below });
         self.nodes.push(node);
         Some(m)
     }
@@ -145,22 +147,25 @@ impl NodeStore for GridStore {
 
     fn truncate(&mut self, len: u32) {
         while self.len() > len {
-            self.pop();
+            self.nodes.pop();
+            if let Some(Link { head, below }) = self.links.pop() {
+                self.heads[head as usize] = below;
+            }
         }
     }
 
     fn find(&mut self, x: i32, y: i32, epsilon: u32) -> Option<u32> {
         debug_assert_eq!(epsilon, self.epsilon, "the index is made for one epsilon");
-        let reach = i64::from(epsilon) - 1;
         let mut nearest: Option<(u64, u32)> = None;
-        for row in self.along(y, -reach)..=self.along(y, reach) {
-            for column in self.along(x, -reach)..=self.along(x, reach) {
+        let columns = self.along(x).1;
+        for row in self.along(y).1 {
+            for column in columns.clone() {
                 let mut m = self.head((column, row));
                 while m != 0 {
                     if let Some(distance) = self.nodes[m as usize - 1].matches(x, y, epsilon) {
                         nearest = Some(nearest.map_or((distance, m), |best| best.min((distance, m))));
                     }
-                    m = self.below[m as usize - 1];
+                    m = self.links[m as usize - 1].below;
                 }
             }
         }

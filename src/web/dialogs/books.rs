@@ -31,9 +31,12 @@ pub fn Keys() -> impl IntoView {
 pub fn Glossary(at: Option<&'static str>) -> impl IntoView {
     Effect::new(move |_| {
         let Some(name) = at else { return };
-        if let Some(entry) = document().get_element_by_id(&id(name)) {
-            entry.scroll_into_view();
-        }
+        // Before the dialog is shown, nothing in it has a place.
+        request_animation_frame(move || {
+            if let Some(entry) = document().get_element_by_id(&id(name)) {
+                entry.scroll_into_view();
+            }
+        });
     });
     let entry = move |entry: &'static Entry| {
         view! {

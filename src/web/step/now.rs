@@ -270,12 +270,15 @@ fn Variables() -> impl IntoView {
             .map(chip)
             .collect_view()
     };
+    let more = RwSignal::new(false);
     view! {
-        <div class="vars" aria-label="Variables" role="group">{move || chips(first)}</div>
-        <details class="more-vars">
-            <summary>"Clock and sensors"</summary>
-            <div class="vars">{move || chips(further)}</div>
-        </details>
+        <div class="vars" aria-label="Variables" role="group">
+            {move || chips(first)}
+            {move || more.get().then(|| chips(further))}
+            <button class="var more" aria-expanded=move || more.get().to_string() on:click=move |_| more.update(|on| *on = !*on)>
+                {move || if more.get() { "less ▴" } else { "clock, sensors ▾" }}
+            </button>
+        </div>
     }
 }
 

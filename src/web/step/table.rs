@@ -142,9 +142,8 @@ fn NodeRow(number: u32) -> impl IntoView {
         >
             <td>
                 {number}
-                {move || here().then(|| view! { <span class="tag">"◂ here"</span> })}
-                {move || (top() && !here()).then(|| view! { <span class="tag">"◂ ptr−1"</span> })}
-                {move || (top() && here()).then(|| view! { <span class="tag">"· ptr−1"</span> })}
+                {move || here().then(|| view! { <span class="tag" title="The bot stands here">"◂"<span class="vh">"the bot stands here"</span></span> })}
+                {move || top().then(|| view! { <span class="tag">"ptr−1"</span> })}
             </td>
             <td>{move || Heading::ALL.map(way).into_iter().collect_view()}</td>
             <td>{move || row.with(|row| row.map(|row| row.node.back_path.to_string()))}</td>

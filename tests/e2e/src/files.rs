@@ -1,0 +1,107 @@
+//! Files that go into the page and come out of it.
+
+use std::path::PathBuf;
+use std::time::{Duration, Instant};
+
+use anyhow::{Result, bail};
+use serde_json::json;
+
+use crate::Page;
+
+/// The folder where a page's downloads arrive.
+#[derive(Debug)]
+pub struct Downloads(PathBuf);
+
+impl Downloads {
+    /// A downloaded text, when it's there.
+    ///
+    /// # Errors
+    /// If it never comes.
+    pub async fn file(&self, name: &str) -> Result<String> {
+        Ok(String::from_utf8(self.bytes(name).await?)?)
+    }
+
+    /// A downloaded file, when it's there.
+    ///
+    /// # Errors
+    /// If it never comes.
+    pub async fn bytes(&self, name: &str) -> Result<Vec<u8>> {
+        let (path, start) = (self.0.join(name), Instant::now());
+        while start.elapsed() < Duration::from_secs(10) {
+            // Under its name it's whole; until then it has another.
+            if let Ok(content) = std::fs::read(&path) {
+                return Ok(content);
+            }
+            tokio::time::sleep(Duration::from_millis(20)).await;
+        }
+        let there: Vec<_> = std::fs::read_dir(&self.0)?.flatten().map(|entry| entry.file_name()).collect();
+        bail!("{name} was not downloaded; there are {there:?}")
+    }
+
+    /// Where a file is, to be opened again.
+    #[must_use]
+    pub fn path(&self, name: &str) -> PathBuf {
+        self.0.join(name)
+    }
+}
+
+impl Drop for Downloads {
+    fn drop(&mut self) {
+        let _ = std::fs::remove_dir_all(&self.0);
+    }
+}
+
+impl Page {
+    /// Lets the page download, into a folder of its own.
+    ///
+    /// # Errors
+    /// If the browser refuses.
+    pub async fn allow_downloads(&self) -> Result<Downloads> {
+        let folder = std::env::temp_dir().join(format!("line-maze-lab-{}", self.session.id()));
+        std::fs::create_dir_all(&folder)?;
+        let behavior = json!({ "behavior": "allow", "downloadPath": folder });
+        self.tools("Browser.setDownloadBehavior", behavior).await?;
+        Ok(Downloads(folder))
+    }
+
+    /// Drops a file on the page.
+    ///
+    /// # Errors
+    /// If the browser refuses.
+    pub async fn drop_file(&self, name: &str, content: &[u8]) -> Result<()> {
+        let drop = "(name, content) => {
+            const dataTransfer = new DataTransfer();
+            dataTransfer.items.add(new File([new Uint8Array(content)], name));
+            const event = (kind) => new DragEvent(kind, { dataTransfer, bubbles: true, cancelable: true });
+            const target = document.querySelector('main');
+            target.dispatchEvent(event('dragover'));
+            target.dispatchEvent(event('drop'));
+        }";
+        self.call(drop, &[json!(name), json!(content)]).await.map(std::mem::drop)
+    }
+
+    /// Pastes a text into the page.
+    ///
+    /// # Errors
+    /// If the browser refuses.
+    pub async fn paste(&self, text: &str) -> Result<()> {
+        let paste = "(text) => {
+            const clipboardData = new DataTransfer();
+            clipboardData.setData('text/plain', text);
+            document.body.dispatchEvent(new ClipboardEvent('paste', { clipboardData, bubbles: true, cancelable: true }));
+        }";
+        self.call(paste, &[json!(text)]).await.map(std::mem::drop)
+    }
+
+    /// Chooses a file in a file field.
+    ///
+    /// # Errors
+    /// If there's no such field.
+    pub async fn choose_file(&self, css: &str, path: &std::path::Path) -> Result<()> {
+        let document = self.tools("DOM.getDocument", json!({})).await?;
+        let root = &document["root"]["nodeId"];
+        let field = self.tools("DOM.querySelector", json!({ "nodeId": root, "selector": css })).await?;
+        let files = json!({ "nodeId": field["nodeId"], "files": [path] });
+        self.tools("DOM.setFileInputFiles", files).await.map(std::mem::drop)
+    }
+}

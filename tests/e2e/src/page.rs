@@ -1,0 +1,179 @@
+//! The page in a browser: opening it, and waiting until something holds.
+
+use std::cell::RefCell;
+use std::time::{Duration, Instant};
+
+use anyhow::{Context, Result, bail};
+use serde_json::{Value, json};
+
+use crate::root;
+use crate::session::{Session, Setup};
+use crate::site::Site;
+
+/// Nothing on this page takes longer, also on a busy computer.
+const PATIENCE: Duration = Duration::from_secs(15);
+/// Between two looks at the page.
+const BLINK: Duration = Duration::from_millis(15);
+
+/// The page in a browser of its own.
+#[derive(Debug)]
+pub struct Page {
+    pub(crate) session: Session,
+    pub(crate) expected: Vec<&'static str>,
+    pub(crate) heard: RefCell<Vec<String>>,
+    address: String,
+}
+
+impl Page {
+    pub(crate) async fn open(site: &Site, setup: Setup) -> Result<Self> {
+        let session = Session::start().await?;
+        session.prepare(&setup).await?;
+        let page = Self {
+            session,
+            expected: setup.expected,
+            heard: RefCell::new(Vec::new()),
+            address: site.address(),
+        };
+        let hash = if setup.hash.is_empty() { String::new() } else { format!("#{}", setup.hash) };
+        page.session.client.goto(&format!("{}{hash}", page.address)).await?;
+        if setup.arrives {
+            page.wait_for_start().await?;
+        }
+        Ok(page)
+    }
+
+    /// The page's own address, without `#`.
+    #[must_use]
+    pub fn address(&self) -> &str {
+        &self.address
+    }
+
+    /// Loads the page again, as F5 does.
+    ///
+    /// # Errors
+    /// If it doesn't start.
+    pub async fn reload(&self) -> Result<()> {
+        self.eval("window.beforeReload = true").await?;
+        self.session.client.refresh().await?;
+        self.wait_until("!window.beforeReload").await?;
+        self.wait_for_start().await
+    }
+
+    async fn wait_for_start(&self) -> Result<()> {
+        self.wait_until("!document.getElementById('loading') && !!document.querySelector('main')").await
+    }
+
+    /// The value of an expression on the page.
+    ///
+    /// # Errors
+    /// Where it throws.
+    pub async fn eval(&self, expression: &str) -> Result<Value> {
+        self.session
+            .client
+            .execute(&format!("return ({expression});"), vec![])
+            .await
+            .with_context(|| format!("evaluating {expression}"))
+    }
+
+    /// Runs a whole script on the page.
+    ///
+    /// # Errors
+    /// Where it throws.
+    pub async fn run(&self, script: &str) -> Result<()> {
+        self.session.client.execute(script, vec![]).await.context("running a script")?;
+        Ok(())
+    }
+
+    /// A function's value on the page, with arguments.
+    ///
+    /// # Errors
+    /// Where it throws.
+    pub async fn call(&self, function: &str, arguments: &[Value]) -> Result<Value> {
+        self.session
+            .client
+            .execute(&format!("return ({function})(...arguments);"), arguments.to_vec())
+            .await
+            .with_context(|| format!("calling {function} with {arguments:?}"))
+    }
+
+    /// What a promise on the page comes to.
+    ///
+    /// # Errors
+    /// Where it is rejected.
+    pub async fn promised(&self, expression: &str) -> Result<Value> {
+        let script = format!(
+            "const done = arguments[arguments.length - 1];\
+             ({expression}).then((value) => done({{ value }}), (error) => done({{ error: String(error) }}));"
+        );
+        let mut settled = self.session.client.execute_async(&script, vec![]).await?;
+        match settled.get("error") {
+            Some(error) => bail!("{error}"),
+            None => Ok(settled["value"].take()),
+        }
+    }
+
+    /// Waits until an expression holds on the page.
+    ///
+    /// # Errors
+    /// If it never does.
+    pub async fn wait_until(&self, expression: &str) -> Result<()> {
+        let start = Instant::now();
+        let mut value = Ok(Value::Null);
+        while start.elapsed() < PATIENCE {
+            // While a page is loading, there may be nobody to answer.
+            value = self.eval(&format!("!!({expression})")).await;
+            if matches!(value, Ok(Value::Bool(true))) {
+                return Ok(());
+            }
+            tokio::time::sleep(BLINK).await;
+        }
+        value?;
+        let text = self.text("body").await.unwrap_or_default();
+        let text: String = text.chars().take(800).collect();
+        bail!("it never happened that {expression}\nThe page says:\n{text}")
+    }
+
+    /// Waits until an element's text contains words.
+    ///
+    /// # Errors
+    /// If it never does.
+    pub async fn wait_for_text(&self, css: &str, words: &str) -> Result<()> {
+        let (css, words) = (json!(css), json!(words));
+        self.wait_until(&format!("document.querySelector({css})?.innerText.includes({words})")).await
+    }
+
+    /// Waits until an element is there.
+    ///
+    /// # Errors
+    /// If it never is.
+    pub async fn wait_for(&self, css: &str) -> Result<()> {
+        self.wait_until(&format!("document.querySelector({})", json!(css))).await
+    }
+
+    /// Waits until an element is gone.
+    ///
+    /// # Errors
+    /// If it stays.
+    pub async fn wait_for_no(&self, css: &str) -> Result<()> {
+        self.wait_until(&format!("!document.querySelector({})", json!(css))).await
+    }
+
+    /// Settings of the browser, in the words of its developer tools.
+    ///
+    /// # Errors
+    /// If it doesn't know them.
+    pub async fn tools(&self, method: &str, params: Value) -> Result<Value> {
+        self.session.tools(method, params).await
+    }
+
+    /// Keeps a picture of the viewport in `target/screenshots`.
+    ///
+    /// # Errors
+    /// If it can't be taken or kept.
+    pub async fn screenshot(&self, name: &str) -> Result<()> {
+        let folder = root().join("target/screenshots");
+        std::fs::create_dir_all(&folder)?;
+        let png = self.session.client.screenshot().await?;
+        std::fs::write(folder.join(format!("{name}.png")), png).context("keeping a screenshot")
+    }
+}

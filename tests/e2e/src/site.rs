@@ -1,0 +1,125 @@
+//! The page's web server: static files below a folder's address, so that relative addresses are proven. It can
+//! be stopped, which is how a test cuts the network.
+
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, PoisonError};
+
+use anyhow::{Context, Result, ensure};
+use tokio::io::{AsyncReadExt, AsyncWriteExt};
+use tokio::net::{TcpListener, TcpStream};
+use tokio::task::JoinHandle;
+
+use crate::{named, root};
+
+/// Where the page is below the server's root.
+const FOLDER: &str = "/some/sub/folder/";
+
+/// A running server.
+#[derive(Debug)]
+pub struct Site {
+    port: u16,
+    missing: Arc<Mutex<Vec<&'static str>>>,
+    accepting: JoinHandle<()>,
+}
+
+impl Site {
+    /// Serves the built page on a free port.
+    ///
+    /// # Errors
+    /// Where the page isn't built.
+    pub async fn start() -> Result<Self> {
+        let dist = named("LINE_MAZE_DIST").unwrap_or_else(|| root().join("dist"));
+        let built = dist.join("index.html").is_file();
+        ensure!(built, "there's no page in {}; `cargo xtask test e2e` builds it", dist.display());
+        let listener = TcpListener::bind(("localhost", 0)).await?;
+        let port = listener.local_addr()?.port();
+        let missing = Arc::new(Mutex::new(Vec::new()));
+        let gone = Arc::clone(&missing);
+        let accepting = tokio::spawn(async move {
+            while let Ok((stream, _)) = listener.accept().await {
+                let (dist, gone) = (dist.clone(), Arc::clone(&gone));
+                tokio::spawn(async move { answer(stream, &dist, &gone).await });
+            }
+        });
+        Ok(Self { port, missing, accepting })
+    }
+
+    /// The page's address.
+    #[must_use]
+    pub fn address(&self) -> String {
+        format!("http://localhost:{}{FOLDER}", self.port)
+    }
+
+    /// From now on, files with this in their names are not found.
+    pub fn lose(&self, part: &'static str) {
+        self.missing.lock().unwrap_or_else(PoisonError::into_inner).push(part);
+    }
+
+    /// Cuts the network: nobody answers at this address any more.
+    ///
+    /// # Errors
+    /// If somebody still does.
+    pub async fn stop(&self) -> Result<()> {
+        self.accepting.abort();
+        while !self.accepting.is_finished() {
+            tokio::task::yield_now().await;
+        }
+        ensure!(TcpStream::connect(("localhost", self.port)).await.is_err(), "the server still answers");
+        Ok(())
+    }
+}
+
+impl Drop for Site {
+    fn drop(&mut self) {
+        self.accepting.abort();
+    }
+}
+
+async fn answer(mut stream: TcpStream, dist: &Path, missing: &Mutex<Vec<&'static str>>) -> Result<()> {
+    let mut request = Vec::new();
+    while !request.windows(4).any(|end| end == b"\r\n\r\n") {
+        if stream.read_buf(&mut request).await? == 0 {
+            return Ok(());
+        }
+    }
+    let request = String::from_utf8(request)?;
+    let target = request.split(' ').nth(1).context("no target")?;
+    let lost = |path: &str| {
+        missing.lock().unwrap_or_else(PoisonError::into_inner).iter().any(|part| path.contains(part))
+    };
+    let found = file(dist, target).filter(|(path, _)| !lost(path));
+    let (status, mime, body) = match &found {
+        Some((path, body)) => ("200 OK", mime(path), body.as_slice()),
+        None => ("404 Not Found", "text/plain", b"not found".as_slice()),
+    };
+    let head = format!(
+        "HTTP/1.1 {status}\r\nContent-Type: {mime}\r\nContent-Length: {}\r\nCache-Control: no-cache\r\n\
+         Connection: close\r\n\r\n",
+        body.len()
+    );
+    stream.write_all(head.as_bytes()).await?;
+    stream.write_all(body).await?;
+    Ok(stream.shutdown().await?)
+}
+
+/// A file by its address; the folder itself is `index.html`.
+fn file(dist: &Path, target: &str) -> Option<(String, Vec<u8>)> {
+    let path = target.split('?').next()?.strip_prefix(FOLDER)?;
+    let path = if path.is_empty() { "index.html" } else { path };
+    let inside = !path.split('/').any(|part| part == "..");
+    let content = std::fs::read(inside.then(|| PathBuf::from(dist).join(path))?).ok()?;
+    Some((path.to_owned(), content))
+}
+
+fn mime(path: &str) -> &'static str {
+    match path.rsplit('.').next() {
+        Some("html") => "text/html; charset=utf-8",
+        Some("js") => "text/javascript; charset=utf-8",
+        Some("css") => "text/css; charset=utf-8",
+        Some("wasm") => "application/wasm",
+        Some("svg") => "image/svg+xml",
+        Some("png") => "image/png",
+        Some("webmanifest") => "application/manifest+json",
+        _ => "application/octet-stream",
+    }
+}

@@ -1,0 +1,9 @@
+//! The lab as people use it, in a real browser.
+
+mod draw;
+mod everyone;
+mod figure_3_1;
+mod offline;
+mod share;
+mod step;
+mod trouble;
