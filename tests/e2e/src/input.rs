@@ -21,7 +21,12 @@ pub enum Button {
 /// The name by which a person calls a control: its label without the key in brackets, or its text.
 const CONTROL: &str = "(name) => {
     const plain = (text) => text.trim().replace(/\\s+/g, ' ').replace(/ \\([^)]*\\)$/, '');
-    const called = (control) => plain(control.ariaLabel ?? control.innerText);
+    const said = (control) => {
+        const copy = control.cloneNode(true);
+        copy.querySelectorAll('[aria-hidden=true]').forEach((mute) => mute.remove());
+        return copy.textContent;
+    };
+    const called = (control) => plain(control.ariaLabel ?? said(control));
     const open = document.querySelector('dialog[open]') ?? document;
     const controls = [...open.querySelectorAll('button, a[href], summary, [role=button], [role=menuitem]')];
     return controls.find((control) => control.checkVisibility() && called(control) === name);
