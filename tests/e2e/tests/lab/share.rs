@@ -48,7 +48,7 @@ async fn a_link_shows_a_stranger_the_same() -> Result<()> {
 
         lab_at(&site, Setup::default().at(plain), async |other| {
             shows_stop(other, 13).await?;
-            assert!(other.text(".stage > .bar").await?.contains("The run of the book"));
+            assert!(other.text(".stage .bar").await?.contains("The run of the book"));
             other.press("ArrowLeft").await?;
             shows_stop(other, 12).await
         })
@@ -73,17 +73,17 @@ async fn a_borrowed_maze_does_not_replace_ones_own() -> Result<()> {
     lab_at(&site, Setup::default(), async |page| {
         let link = link(page).await?;
         lab_at(&site, Setup::default().stored("maze", OWN).at(link), async |other| {
-            assert!(other.text(".stage > .bar").await?.contains("The run of the book"));
+            assert!(other.text(".stage .bar").await?.contains("The run of the book"));
             assert_eq!(kept(other).await?, OWN);
             other.reload().await?;
-            assert!(other.text(".stage > .bar").await?.contains("The run of the book"));
+            assert!(other.text(".stage .bar").await?.contains("The run of the book"));
             assert_eq!(kept(other).await?, OWN);
             // Undo goes back to one's own.
             other.press("Control+z").await?;
-            other.wait_for_text(".stage > .bar", "My own").await?;
+            other.wait_for_text(".stage .bar", "My own").await?;
             // Edited, it is one's own.
             other.press("Control+y").await?;
-            other.wait_for_text(".stage > .bar", "The run of the book").await?;
+            other.wait_for_text(".stage .bar", "The run of the book").await?;
             other
                 .wait_until("localStorage.getItem('line-maze-lab/maze').includes('The run of the book')")
                 .await?;
@@ -136,7 +136,7 @@ async fn a_broken_link_leaves_ones_own_maze_open() -> Result<()> {
                 other.wait_for_text(".note.warn[role=alert]", "This link doesn’t hold a whole maze").await?;
                 let note = other.text(".note.warn[role=alert] .small").await?;
                 println!("{}: {note}", payload.chars().take(20).collect::<String>());
-                assert!(other.text(".stage > .bar").await?.contains("My own"));
+                assert!(other.text(".stage .bar").await?.contains("My own"));
                 assert_eq!(kept(other).await?, OWN);
                 other.screenshot("broken-link").await?;
                 other.click("Keep my maze").await?;
