@@ -10,6 +10,7 @@ pub mod browser;
 pub mod clock;
 pub mod dialogs;
 pub mod draw;
+pub mod erase;
 pub mod header;
 pub mod icons;
 pub mod keys;

@@ -1,5 +1,6 @@
 //! The app: what is open at the beginning, what the browser keeps, and the rooms.
 
+use crate::web::erase::{mouse, part, sig};
 use leptos::prelude::*;
 use wasm_bindgen::JsCast;
 use wasm_bindgen::prelude::*;
@@ -34,14 +35,14 @@ pub fn App() -> impl IntoView {
         window_event_listener(leptos::ev::hashchange, move |_| follow_address(lab, browser::hash().as_str()));
     on_cleanup(move || on_hash.remove());
     view! {
-        <div class="app" class:projecting=move || lab.projector.get()>
-            <a class="vh skip" href="#main" on:click=move |event| { event.prevent_default(); browser::focus("main"); }>"Skip to the maze"</a>
+        <div class="app" class:projecting=sig(move || lab.projector.get())>
+            <a class="vh skip" href="#main" on:click=mouse(move |event| { event.prevent_default(); browser::focus("main"); })>"Skip to the maze"</a>
             <Header />
-            {move || match (lab.projector.get(), lab.room.get()) {
+            {part(move || match (lab.projector.get(), lab.room.get()) {
                 (true, _) => view! { <Projector /> }.into_any(),
                 (false, Room::Draw) => view! { <draw::DrawRoom /> }.into_any(),
                 (false, Room::Step) => view! { <StepRoom /> }.into_any(),
-            }}
+            })}
         </div>
         <dialogs::Dialogs />
         <dialogs::Toasts />

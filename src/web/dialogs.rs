@@ -1,5 +1,6 @@
 //! Dialogs and toasts: one of each at a time, in the browser's own `<dialog>` (focus stays inside, Esc closes).
 
+use crate::web::erase::{event, mouse, part};
 use leptos::html;
 use leptos::prelude::*;
 
@@ -54,18 +55,18 @@ pub fn Modal(title: &'static str, #[prop(optional)] width: Width, children: Chil
             node_ref=element
             class:narrow=width == Width::Narrow
             aria-labelledby="dialog-title"
-            on:close=move |_| close()
-            on:click=move |event: web_sys::MouseEvent| {
+            on:close=event(move |_| close())
+            on:click=mouse(move |event: web_sys::MouseEvent| {
                 // A click on the veil lands on the dialog itself.
                 let on_veil = event.target() == element.get_untracked().map(|dialog| dialog.into());
                 if on_veil {
                     close();
                 }
-            }
+            })
         >
             <div class="dialog-head">
                 <h2 id="dialog-title">{title}</h2>
-                <button class="btn icon quiet" aria-label="Close" on:click=move |_| close()>{icons::close()}</button>
+                <button class="btn icon quiet" aria-label="Close" on:click=mouse(move |_| close())>{icons::close()}</button>
             </div>
             // What scrolls can be scrolled by keys.
             <div class="dialog-body" tabindex="0">{children()}</div>
@@ -104,7 +105,7 @@ pub fn Toasts() -> impl IntoView {
     });
     view! {
         <div class="toasts" aria-live="assertive">
-            {move || lab.toast.get().map(|toast| {
+            {part(move || lab.toast.get().map(|toast| {
                 let error = toast.tone == ToastTone::Error;
                 view! {
                     <div class="toast" role=if error { "alert" } else { "status" }>
@@ -114,14 +115,14 @@ pub fn Toasts() -> impl IntoView {
                             {toast.text.clone()}
                         </p>
                         {toast.action.map(|action| view! {
-                            <button class="btn" on:click=move |_| act(action)>
+                            <button class="btn" on:click=mouse(move |_| act(action))>
                                 {match action { ToastAction::Undo => "Undo", ToastAction::Update => "Use it" }}
                             </button>
                         })}
-                        <button class="btn icon" aria-label="Close the message" on:click=move |_| lab.toast.set(None)>{icons::close()}</button>
+                        <button class="btn icon" aria-label="Close the message" on:click=mouse(move |_| lab.toast.set(None))>{icons::close()}</button>
                     </div>
                 }
-            })}
+            }))}
         </div>
     }
 }

@@ -1,5 +1,6 @@
 //! The Draw room: a maze under one's hands, what is in order in it, and what the book's explorer makes of it.
 
+use crate::web::erase::part;
 use leptos::prelude::*;
 
 use super::state::{Dialog, lab};
@@ -45,7 +46,7 @@ pub fn DrawRoom() -> impl IntoView {
                 <div class="desk">
                     <tools::Tools />
                     <canvas::Canvas />
-                    {move || desk.generating.get().then(|| view! { <generator::Generator /> })}
+                    {part(move || desk.generating.get().then(|| view! { <generator::Generator /> }))}
                 </div>
                 <foot::Foot />
             </section>

@@ -1,5 +1,6 @@
 //! The head of the page: rooms, and what concerns all of them.
 
+use crate::web::erase::{mouse, part};
 use leptos::prelude::*;
 
 use super::icons;
@@ -14,7 +15,7 @@ pub fn Header() -> impl IntoView {
     let room = move |room: Room, name: &'static str, hash: &'static str| {
         let here = move || (lab.room.get() == room).then_some("page");
         view! {
-            <a href=hash aria-current=here on:click=move |event| { event.prevent_default(); super::app::go(lab, room); }>{name}</a>
+            <a href=hash aria-current=here on:click=mouse(move |event| { event.prevent_default(); super::app::go(lab, room); })>{name}</a>
         }
     };
     view! {
@@ -33,13 +34,13 @@ pub fn Header() -> impl IntoView {
             <div class="spacer"></div>
             <div class="tools-right">
                 <OrderButton />
-                <button class="btn icon hide-s" aria-label="Projector (P)" title="Projector: large type (P)" on:click=move |_| { lab.room.set(Room::Step); lab.projector.set(true); }>
+                <button class="btn icon hide-s" aria-label="Projector (P)" title="Projector: large type (P)" on:click=mouse(move |_| { lab.room.set(Room::Step); lab.projector.set(true); })>
                     {icons::screen()}
                 </button>
-                <button class="btn" aria-label="Share" title="A link and a QR code of this maze" on:click=move |_| lab.dialog.set(Some(Dialog::Share))>
+                <button class="btn" aria-label="Share" title="A link and a QR code of this maze" on:click=mouse(move |_| lab.dialog.set(Some(Dialog::Share)))>
                     {icons::share()}<span class="hide-l">"Share"</span>
                 </button>
-                <button class="btn icon" aria-label="Keys (?)" title="All keys (?)" on:click=move |_| lab.dialog.set(Some(Dialog::Keys))>{icons::keyboard()}</button>
+                <button class="btn icon" aria-label="Keys (?)" title="All keys (?)" on:click=mouse(move |_| lab.dialog.set(Some(Dialog::Keys)))>{icons::keyboard()}</button>
                 <ThemeButton />
             </div>
         </header>
@@ -55,7 +56,7 @@ fn OrderButton() -> impl IntoView {
         Order::Random(seed) => format!("random {seed}"),
     };
     view! {
-        <button class="btn" title="Preference order, epsilon, NODE_MAX (O)" on:click=move |_| lab.dialog.set(Some(Dialog::Settings))>
+        <button class="btn" title="Preference order, epsilon, NODE_MAX (O)" on:click=mouse(move |_| lab.dialog.set(Some(Dialog::Settings)))>
             {icons::settings()}
             <span class="vh">"Settings of the run: "</span>
             <span class="hide-s">{order}</span>
@@ -82,12 +83,12 @@ fn ThemeButton() -> impl IntoView {
         });
     };
     view! {
-        <button class="btn icon" aria-label=label title=label on:click=next>
-            {move || match lab.theme.get() {
+        <button class="btn icon" aria-label=label title=label on:click=mouse(next)>
+            {part(move || match lab.theme.get() {
                 Theme::System => icons::system().into_any(),
                 Theme::Light => icons::sun().into_any(),
                 Theme::Dark => icons::moon().into_any(),
-            }}
+            })}
         </button>
     }
 }

@@ -1,5 +1,6 @@
 //! Pieces of a maze's picture that Draw and Step share: the frame that pans and zooms, finish, compass, bot.
 
+use crate::web::erase::{mouse, sig};
 use leptos::html;
 use leptos::prelude::*;
 use wasm_bindgen::JsCast;
@@ -155,13 +156,13 @@ impl Camera {
 pub fn ZoomButtons(camera: Camera) -> impl IntoView {
     view! {
         <span class="group" role="group" aria-label="Zoom">
-            <button class="btn icon" aria-label="Zoom out" on:click=move |_| camera.zoom(0.8, None)>
+            <button class="btn icon" aria-label="Zoom out" on:click=mouse(move |_| camera.zoom(0.8, None))>
                 {super::icons::minus()}
             </button>
-            <button class="btn icon" aria-label="Zoom in" on:click=move |_| camera.zoom(1.25, None)>
+            <button class="btn icon" aria-label="Zoom in" on:click=mouse(move |_| camera.zoom(1.25, None))>
                 {super::icons::plus()}
             </button>
-            <button class="btn" disabled=move || camera.is_fitted() on:click=move |_| camera.fit()>"Fit"</button>
+            <button class="btn" disabled=sig(move || camera.is_fitted()) on:click=mouse(move |_| camera.fit())>"Fit"</button>
         </span>
     }
 }
@@ -224,12 +225,12 @@ pub fn Compass(#[prop(into)] north: Signal<Heading>) -> impl IntoView {
             class="compass-rose maze"
             viewBox="-44 -44 88 88"
             role="img"
-            aria-label=move || format!("The bot’s north, direction 0, is {} on the drawing", north.get().word())
+            aria-label=sig(move || format!("The bot’s north, direction 0, is {} on the drawing", north.get().word()))
         >
             <g class="compass">
                 <circle r="20" />
                 <path transform=turned d="M0-14l5 14h-10z" />
-                <text x=move || label().0 y=move || label().1>"0 N"</text>
+                <text x=sig(move || label().0) y=sig(move || label().1)>"0 N"</text>
             </g>
         </svg>
     }

@@ -1,5 +1,6 @@
 //! Notes at the head of a room: what the user should know before going on.
 
+use crate::web::erase::mouse;
 use leptos::prelude::*;
 
 use super::icons;
@@ -19,8 +20,8 @@ pub fn BrokenLink() -> impl IntoView {
                         <p><b>"This link doesn’t hold a whole maze"</b></p>
                         <p class="small">{why} " Your own last maze is open instead."</p>
                         <div class="row">
-                            <button class="btn" on:click=keep>"Keep my maze"</button>
-                            <button class="btn" on:click=move |_| lab.dialog.set(Some(Dialog::Paste))>"Paste the link again"</button>
+                            <button class="btn" on:click=mouse(keep)>"Keep my maze"</button>
+                            <button class="btn" on:click=mouse(move |_| lab.dialog.set(Some(Dialog::Paste)))>"Paste the link again"</button>
                         </div>
                     </div>
                 </div>
@@ -42,7 +43,7 @@ pub fn NotKept() -> impl IntoView {
                         <p><b>"This browser doesn’t keep your drawing"</b></p>
                         <p class="small">"Its storage is full or forbidden. Save the maze as a file before you close the page."</p>
                         <div class="row">
-                            <button class="btn" on:click=move |_| super::draw::save(lab)>"Save .maze"</button>
+                            <button class="btn" on:click=mouse(move |_| super::draw::save(lab))>"Save .maze"</button>
                         </div>
                     </div>
                 </div>

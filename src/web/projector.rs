@@ -1,5 +1,6 @@
 //! Projector mode: nothing but maze, sentence and controls, large enough for the last row.
 
+use crate::web::erase::{mouse, part};
 use leptos::prelude::*;
 
 use super::state::{Round, lab};
@@ -24,22 +25,22 @@ pub fn Projector() -> impl IntoView {
             <Stage />
             <div class="words" role="status" aria-live="polite">
                 <Said length=Length::Short />
-                {move || letters().map(|letters| view! { <p class="finish-list" aria-label="Turn list">{letters}</p> })}
+                {part(move || letters().map(|letters| view! { <p class="finish-list" aria-label="Turn list">{letters}</p> }))}
             </div>
         </main>
         <footer class="transport-bar projector-bar" aria-label="Run">
             <Buttons />
             <Counter />
             <div class="row">
-                {move || lab.run.with(|run| run.as_ref().is_ok_and(|run| run.drive.is_some())).then(|| view! {
-                    <button class="btn" on:click=move |_| match lab.round.get_untracked() {
+                {part(move || lab.run.with(|run| run.as_ref().is_ok_and(|run| run.drive.is_some())).then(|| view! {
+                    <button class="btn" on:click=mouse(move |_| match lab.round.get_untracked() {
                         Round::Explore => lab.drive_solved(),
                         Round::Solved => lab.round.set(Round::Explore),
-                    }>
-                        {move || if lab.round.get() == Round::Explore { "Drive the solved run" } else { "Back to the exploration" }}
+                    })>
+                        {part(move || if lab.round.get() == Round::Explore { "Drive the solved run" } else { "Back to the exploration" })}
                     </button>
-                })}
-                <button class="btn" on:click=move |_| lab.projector.set(false)>"Leave (P)"</button>
+                }))}
+                <button class="btn" on:click=mouse(move |_| lab.projector.set(false))>"Leave (P)"</button>
             </div>
         </footer>
     }

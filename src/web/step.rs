@@ -1,5 +1,6 @@
 //! The stepper: the maze as the run leaves it, what just happened, the bot's memory, the algorithm, time.
 
+use crate::web::erase::{mouse, part, sig};
 use leptos::prelude::*;
 
 use super::state::{Dialog, Lab, Room, Round, lab};
@@ -31,18 +32,18 @@ pub fn StepRoom() -> impl IntoView {
                 <Stage />
             </section>
             <div class="side">
-                {move || match cannot.get() {
+                {part(move || match cannot.get() {
                     Some(why) => view! { <CannotRun why=why.to_string() /> }.into_any(),
                     None => view! {
                         <now::NowCard />
-                        {move || (lab.round.get() == Round::Explore).then(|| view! { <table::NodeTable /> })}
-                        {move || match lab.round.get() {
+                        {part(move || (lab.round.get() == Round::Explore).then(|| view! { <table::NodeTable /> }))}
+                        {part(move || match lab.round.get() {
                             Round::Explore => view! { <code::CodeCard /> }.into_any(),
                             Round::Solved => view! { <result::SolvedCard /> }.into_any(),
-                        }}
+                        })}
                     }
                     .into_any(),
-                }}
+                })}
             </div>
         </main>
         <footer class="transport-bar" aria-label="Run">
@@ -76,14 +77,14 @@ fn StageBar() -> impl IntoView {
         <div class="bar">
             <b>{title}</b>
             <span class="hide-s">{size}</span>
-            {move || wall().then(|| view! { <span class="case info">"walls, shown as lines"</span> })}
+            {part(move || wall().then(|| view! { <span class="case info">"walls, shown as lines"</span> }))}
             <span class="spacer"></span>
             <Legend />
             <button
                 class="btn"
-                aria-pressed=move || lab.robots_eye.get().to_string()
+                aria-pressed=sig(move || lab.robots_eye.get().to_string())
                 title="Show only what the robot has driven over or seen (V)"
-                on:click=move |_| lab.robots_eye.update(|on| *on = !*on)
+                on:click=mouse(move |_| lab.robots_eye.update(|on| *on = !*on))
             >
                 {super::icons::eye()}
                 <span class="hide-m">"Robot’s eye"</span>
@@ -130,10 +131,10 @@ fn CannotRun(why: String) -> impl IntoView {
             <div class="pad stack">
                 <p>{why}</p>
                 <div class="row">
-                    <button class="btn primary" on:click=move |_| super::app::go(lab, Room::Draw)>
+                    <button class="btn primary" on:click=mouse(move |_| super::app::go(lab, Room::Draw))>
                         "Draw it right"
                     </button>
-                    <button class="btn" on:click=move |_| lab.dialog.set(Some(Dialog::Samples))>"Open a sample"</button>
+                    <button class="btn" on:click=mouse(move |_| lab.dialog.set(Some(Dialog::Samples)))>"Open a sample"</button>
                 </div>
             </div>
         </section>

@@ -1,5 +1,6 @@
 //! The settings of a run: preference order, `epsilon`, `NODE_MAX`.
 
+use crate::web::erase::{event, mouse, part, sig};
 use leptos::prelude::*;
 
 use super::{Modal, Width};
@@ -17,7 +18,7 @@ pub fn RunSettings() -> impl IntoView {
             <EpsilonField />
             <NodeMaxField />
             <div class="row">
-                <button class="btn" on:click=move |_| lab.set(|settings| *settings = Settings { pace: settings.pace, ..Settings::default() })>
+                <button class="btn" on:click=mouse(move |_| lab.set(|settings| *settings = Settings { pace: settings.pace, ..Settings::default() }))>
                     "As in the book"
                 </button>
             </div>
@@ -56,17 +57,17 @@ fn OrderFields() -> impl IntoView {
     view! {
         <label class="field">
             "Preference order at a node"
-            <select class="input" id="order" on:change=choose prop:value=chosen>
+            <select class="input" id="order" on:change=event(choose) prop:value=chosen>
                 {Preference::ALL.map(option).into_iter().collect_view()}
                 <option value="random">"random at every choice"</option>
             </select>
         </label>
-        {move || seed().is_some().then(|| view! {
+        {part(move || seed().is_some().then(|| view! {
             <NumberField id="seed" label="Seed: the same seed, the same choices" value=Signal::derive(move || seed().map(|seed| seed.to_string()).unwrap_or_default())
                 hint="A whole number, 0 or more"
                 read={|text: &str| text.parse::<u64>().ok()}
                 set={move |seed| lab.set(|settings| settings.order = Order::Random(seed))} />
-        })}
+        }))}
     }
 }
 
@@ -125,9 +126,9 @@ pub fn NumberField<T: 'static>(
         <div class="field">
             <label for=id>{label}</label>
             <input class="input" id=id inputmode="numeric" autocomplete="off" prop:value=value
-                placeholder=move || placeholder.map(|text| text.get())
-                aria-invalid=move || wrong.get().to_string() aria-describedby=hint_id.clone() on:change=change />
-            <span class="small" id=hint_id.clone() role="status">{move || wrong.get().then_some(hint)}</span>
+                placeholder=sig(move || placeholder.map(|text| text.get()))
+                aria-invalid=sig(move || wrong.get().to_string()) aria-describedby=hint_id.clone() on:change=event(change) />
+            <span class="small" id=hint_id.clone() role="status">{part(move || wrong.get().then_some(hint))}</span>
         </div>
     }
 }

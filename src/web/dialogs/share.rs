@@ -1,6 +1,7 @@
 //! Sharing: a link that holds maze, settings and stop, its QR code for the projector, or a file where the
 //! maze is too big for a link.
 
+use crate::web::erase::{mouse, part};
 use leptos::prelude::*;
 use qrcodegen::{QrCode, QrCodeEcc};
 use std::fmt::Write;
@@ -28,10 +29,10 @@ pub fn Share() -> impl IntoView {
     let lab = lab();
     view! {
         <Modal title="Share">
-            {move || match link(lab) {
+            {part(move || match link(lab) {
                 Ok(link) => view! { <Link link=link /> }.into_any(),
                 Err(_) => view! { <FileInstead /> }.into_any(),
-            }}
+            })}
         </Modal>
     }
 }
@@ -56,8 +57,8 @@ fn Link(link: String) -> impl IntoView {
             <textarea class="input link" id="link" rows="3" readonly prop:value=link.clone()></textarea>
         </label>
         <div class="row">
-            <button class="btn primary" on:click=move |_| browser::copy(to_copy.clone(), copied)>"Copy the link"</button>
-            <button class="btn" on:click=move |_| draw::save(lab)>"Save as a file"</button>
+            <button class="btn primary" on:click=mouse(move |_| browser::copy(to_copy.clone(), copied))>"Copy the link"</button>
+            <button class="btn" on:click=mouse(move |_| draw::save(lab))>"Save as a file"</button>
         </div>
         {match code {
             Some(code) => view! { <Qr code=code /> }.into_any(),
@@ -93,6 +94,6 @@ fn FileInstead() -> impl IntoView {
     let lab = lab();
     view! {
         <p>"This maze is too big for a link. Send it as a file: it opens here by drag and drop, or with Ctrl O."</p>
-        <div class="row"><button class="btn primary" on:click=move |_| draw::save(lab)>"Save .maze"</button></div>
+        <div class="row"><button class="btn primary" on:click=mouse(move |_| draw::save(lab))>"Save .maze"</button></div>
     }
 }

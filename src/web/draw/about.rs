@@ -1,5 +1,6 @@
 //! What is written about a maze: title, source, note.
 
+use crate::web::erase::submit;
 use leptos::html;
 use leptos::prelude::*;
 
@@ -31,7 +32,7 @@ pub fn About() -> impl IntoView {
     };
     view! {
         <Modal title="About this maze" width=Width::Narrow>
-            <form class="stack" on:submit=keep>
+            <form class="stack" on:submit=submit(keep)>
                 <label class="field">"Title"<input class="input" id="about-title" node_ref=title maxlength=MOST[0] autocomplete="off" prop:value=about.title /></label>
                 <label class="field">"Source: where it is from"<input class="input" id="about-source" node_ref=source maxlength=MOST[1] autocomplete="off" prop:value=about.source /></label>
                 <label class="field">"Note: what it teaches"<textarea class="input" id="about-note" rows="4" node_ref=note maxlength=MOST[2] prop:value=about.note></textarea></label>

@@ -1,5 +1,6 @@
 //! Above the drawing: files, title, size, history, generator.
 
+use crate::web::erase::{mouse, sig};
 use leptos::prelude::*;
 
 use super::desk::{desk, many};
@@ -34,7 +35,7 @@ pub fn Bar() -> impl IntoView {
             <FileMenu />
             <span class="title">
                 <b>{title}</b>
-                <button class="btn icon quiet" aria-label="Rename, describe" title="Title, source and note" on:click=move |_| lab.dialog.set(Some(Dialog::About))>
+                <button class="btn icon quiet" aria-label="Rename, describe" title="Title, source and note" on:click=mouse(move |_| lab.dialog.set(Some(Dialog::About)))>
                     {icons::pen()}
                 </button>
             </span>
@@ -44,8 +45,8 @@ pub fn Bar() -> impl IntoView {
             <button
                 class="btn generate"
                 id="generate"
-                aria-expanded=move || desk.generating.get().to_string()
-                on:click=move |_| desk.generating.update(|on| *on = !*on)
+                aria-expanded=sig(move || desk.generating.get().to_string())
+                on:click=mouse(move |_| desk.generating.update(|on| *on = !*on))
             >
                 "Generate"
             </button>
@@ -68,10 +69,10 @@ fn Past() -> impl IntoView {
     };
     view! {
         <span class="group" role="group" aria-label="History">
-            <button class="btn icon" aria-label=undo title=undo disabled=move || !lab.history.with(History::can_undo) on:click=move |_| lab.undo()>
+            <button class="btn icon" aria-label=undo title=undo disabled=sig(move || !lab.history.with(History::can_undo)) on:click=mouse(move |_| lab.undo())>
                 {icons::undo()}
             </button>
-            <button class="btn icon" aria-label=redo title=redo disabled=move || !lab.history.with(History::can_redo) on:click=move |_| lab.redo()>
+            <button class="btn icon" aria-label=redo title=redo disabled=sig(move || !lab.history.with(History::can_redo)) on:click=mouse(move |_| lab.redo())>
                 {icons::redo()}
             </button>
         </span>

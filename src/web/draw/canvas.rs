@@ -1,5 +1,6 @@
 //! The drawing's frame: pointers and keys go in, the hand's edits come out.
 
+use crate::web::erase::{key, mouse, part, pointer, sig, wheel};
 use leptos::prelude::*;
 use web_sys::{PointerEvent, WheelEvent};
 
@@ -31,19 +32,19 @@ pub fn Canvas() -> impl IntoView {
             tabindex="0"
             aria-label=label
             aria-describedby="draw-status"
-            data-tool=move || format!("{:?}", desk.held_tool()).to_lowercase()
-            class:panning=move || desk.doing.with(|doing| *doing == Doing::Pan)
-            on:keydown=move |event| keyboard::on_canvas(desk, &event)
-            on:pointerdown=move |event| press(desk, &event)
-            on:pointermove=move |event| drag(desk, &event)
-            on:pointerup=move |event| release(desk, event.pointer_id())
-            on:pointercancel=move |event| desk.hand.update(|hand| hand.lose(event.pointer_id()))
-            on:lostpointercapture=move |event: PointerEvent| lose(desk, event.pointer_id())
-            on:contextmenu=move |event| event.prevent_default()
-            on:wheel=move |event| wheel(desk, &event)
+            data-tool=sig(move || format!("{:?}", desk.held_tool()).to_lowercase())
+            class:panning=sig(move || desk.doing.with(|doing| *doing == Doing::Pan))
+            on:keydown=key(move |event| keyboard::on_canvas(desk, &event))
+            on:pointerdown=pointer(move |event| press(desk, &event))
+            on:pointermove=pointer(move |event| drag(desk, &event))
+            on:pointerup=pointer(move |event| release(desk, event.pointer_id()))
+            on:pointercancel=pointer(move |event| desk.hand.update(|hand| hand.lose(event.pointer_id())))
+            on:lostpointercapture=pointer(move |event: PointerEvent| lose(desk, event.pointer_id()))
+            on:contextmenu=mouse(move |event| event.prevent_default())
+            on:wheel=wheel(move |event| zoom_by_wheel(desk, &event))
         >
             <Picture />
-            {move || is_empty(desk).then(|| view! { <Nothing /> })}
+            {part(move || is_empty(desk).then(|| view! { <Nothing /> }))}
         </div>
     }
 }
@@ -110,7 +111,7 @@ fn lose(desk: Desk, id: i32) {
     }
 }
 
-fn wheel(desk: Desk, event: &WheelEvent) {
+fn zoom_by_wheel(desk: Desk, event: &WheelEvent) {
     event.prevent_default();
     let lines = if event.delta_mode() == WheelEvent::DOM_DELTA_LINE { 18.0 } else { 1.0 };
     let factor = (-event.delta_y() * lines / 400.0).exp().clamp(0.2, 5.0);
@@ -150,7 +151,7 @@ fn Nothing() -> impl IntoView {
             </svg>
             <p><b>"Nothing drawn"</b></p>
             <p class="small">"Drag from point to point, or begin with a sample."</p>
-            <button class="btn" on:pointerdown=move |event| event.stop_propagation() on:click=move |_| desk.lab.open(samples::figure_3_1())>
+            <button class="btn" on:pointerdown=pointer(move |event| event.stop_propagation()) on:click=mouse(move |_| desk.lab.open(samples::figure_3_1()))>
                 "Open figure 3.1"
             </button>
         </div>

@@ -1,5 +1,6 @@
 //! What is in order in the maze and what is not: each with its place and a cure.
 
+use crate::web::erase::{mouse, part, sig};
 use leptos::prelude::*;
 
 use super::desk::{Desk, desk, many, say_done};
@@ -26,7 +27,7 @@ pub fn Checks() -> impl IntoView {
     };
     view! {
         <section class="card checks-card" aria-live="polite">
-            <h2>"Checks" <span class="spacer"></span> {move || desk.report.with(count)}</h2>
+            <h2>"Checks" <span class="spacer"></span> {part(move || desk.report.with(count))}</h2>
             <ul class="checks">{listed}</ul>
         </section>
     }
@@ -62,20 +63,20 @@ fn item(desk: Desk, finding: Finding) -> impl IntoView {
     let show = finding.place().is_some().then(|| {
         let finding = finding.clone();
         view! {
-            <button class="btn" aria-pressed=move || is_shown.get().to_string() on:click=move |_| desk.toggle_shown(finding.clone())>"Show it"</button>
+            <button class="btn" aria-pressed=sig(move || is_shown.get().to_string()) on:click=mouse(move |_| desk.toggle_shown(finding.clone()))>"Show it"</button>
         }
     });
     let erase = if let Finding::Apart(piece) = &finding {
         let cells = piece.cells.clone();
         let label = if cells.len() == 1 { "Erase it" } else { "Erase them" };
-        Some(view! { <button class="btn" on:click=move |_| erase(desk, &cells)>{label}</button> })
+        Some(view! { <button class="btn" on:click=mouse(move |_| erase(desk, &cells))>{label}</button> })
     } else {
         None
     };
     let turn = matches!(finding, Finding::StartFacesAway { .. })
-        .then(|| view! { <button class="btn" on:click=move |_| turn(desk)>"Turn it"</button> });
+        .then(|| view! { <button class="btn" on:click=mouse(move |_| turn(desk))>"Turn it"</button> });
     view! {
-        <li class:at=move || is_shown.get()>
+        <li class:at=sig(move || is_shown.get())>
             {mark}
             <div>
                 <b>{finding.title()}</b>

@@ -1,5 +1,6 @@
 //! Below the drawing: what is going on there, in words that are also read aloud, and the zoom.
 
+use crate::web::erase::{mouse, part, sig};
 use leptos::prelude::*;
 
 use super::desk::{Desk, desk, many};
@@ -18,11 +19,11 @@ pub fn Foot() -> impl IntoView {
     view! {
         <div class="bar foot">
             <span class="status" role="status" id="draw-status">
-                <b>{move || said.with(|said| said.0.clone())}</b>
-                {move || said.with(|said| said.1.clone())}
+                <b>{part(move || said.with(|said| said.0.clone()))}</b>
+                {part(move || said.with(|said| said.1.clone()))}
             </span>
-            {move || (desk.tool.get() == Tool::Finish).then(|| view! { <Further /> })}
-            <span class="hide-m small">{move || hint(desk)}</span>
+            {part(move || (desk.tool.get() == Tool::Finish).then(|| view! { <Further /> }))}
+            <span class="hide-m small">{part(move || hint(desk))}</span>
             <span class="spacer"></span>
             <Zoom />
         </div>
@@ -43,7 +44,7 @@ fn Further() -> impl IntoView {
         });
     };
     view! {
-        <button class="btn" aria-pressed=move || on().to_string() title="Each press adds a finish point or takes it away (Shift)" on:click=toggle>
+        <button class="btn" aria-pressed=sig(move || on().to_string()) title="Each press adds a finish point or takes it away (Shift)" on:click=mouse(toggle)>
             "Several"
         </button>
     }
@@ -118,10 +119,10 @@ fn Zoom() -> impl IntoView {
     let whole = move |_| camera.zoom(WHOLE / untrack(|| camera.view()).scale, None);
     view! {
         <span class="group" role="group" aria-label="Zoom">
-            <button class="btn icon" aria-label="Zoom out (−)" title="Zoom out (−)" on:click=move |_| camera.zoom(0.8, None)>{icons::minus()}</button>
-            <button class="btn percent" title="Zoom to 100 %" on:click=whole><span class="vh">"Zoom to 100 %, now "</span>{percent}</button>
-            <button class="btn icon" aria-label="Zoom in (+)" title="Zoom in (+)" on:click=move |_| camera.zoom(1.25, None)>{icons::plus()}</button>
-            <button class="btn" title="Show all of it (0)" disabled=move || camera.is_fitted() on:click=move |_| camera.fit()>"Fit"</button>
+            <button class="btn icon" aria-label="Zoom out (−)" title="Zoom out (−)" on:click=mouse(move |_| camera.zoom(0.8, None))>{icons::minus()}</button>
+            <button class="btn percent" title="Zoom to 100 %" on:click=mouse(whole)><span class="vh">"Zoom to 100 %, now "</span>{percent}</button>
+            <button class="btn icon" aria-label="Zoom in (+)" title="Zoom in (+)" on:click=mouse(move |_| camera.zoom(1.25, None))>{icons::plus()}</button>
+            <button class="btn" title="Show all of it (0)" disabled=sig(move || camera.is_fitted()) on:click=mouse(move |_| camera.fit())>"Fit"</button>
         </span>
     }
 }

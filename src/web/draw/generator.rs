@@ -1,5 +1,6 @@
 //! The generator: sizes, seed and shares, a picture of what comes out, and the way into the drawing.
 
+use crate::web::erase::{event, mouse, part, sig};
 use leptos::html;
 use leptos::prelude::*;
 
@@ -44,13 +45,13 @@ pub fn Generator() -> impl IntoView {
             <div class="row">
                 <h2>"Generate"</h2>
                 <span class="spacer"></span>
-                <button class="btn icon quiet" aria-label="Close the generator (Esc)" on:click=move |_| close()>{icons::close()}</button>
+                <button class="btn icon quiet" aria-label="Close the generator (Esc)" on:click=mouse(move |_| close())>{icons::close()}</button>
             </div>
             <div class="gen">
                 <Numbers recipe=recipe />
                 <Shares recipe=recipe />
                 <div class="wide preview">
-                    {move || match made.get() {
+                    {part(move || match made.get() {
                         Ok(maze) => view! {
                             <figure>
                                 {thumb(&maze)}
@@ -59,8 +60,8 @@ pub fn Generator() -> impl IntoView {
                         }
                         .into_any(),
                         Err(why) => view! { <p class="small" role="alert">{why.to_string()}</p> }.into_any(),
-                    }}
-                    <button class="btn primary" disabled=move || made.with(Result::is_err) on:click=take>"Use this"</button>
+                    })}
+                    <button class="btn primary" disabled=sig(move || made.with(Result::is_err)) on:click=mouse(take)>"Use this"</button>
                 </div>
             </div>
         </section>
@@ -80,7 +81,7 @@ fn Numbers(recipe: RwSignal<Recipe>) -> impl IntoView {
         <div class="joined">
             <NumberField id="gen-seed" label="Seed" value=Signal::derive(move || recipe.get().seed.to_string())
                 hint="A whole number" read=|text: &str| text.parse().ok() set=move |seed| recipe.update(|recipe| recipe.seed = seed) />
-            <button class="btn icon" aria-label="Another seed" title="Another seed" on:click=another>{icons::again()}</button>
+            <button class="btn icon" aria-label="Another seed" title="Another seed" on:click=mouse(another)>{icons::again()}</button>
         </div>
     }
 }
@@ -95,15 +96,15 @@ fn Shares(recipe: RwSignal<Recipe>) -> impl IntoView {
     view! {
         <label class="slide wide">
             "Loops"
-            <input type="range" min="0" max="100" step="5" prop:value=move || loops().to_string()
-                on:input=move |event| recipe.update(|recipe| recipe.loops_percent = percent(&event)) />
-            <output>{move || format!("{} %", loops())}</output>
+            <input type="range" min="0" max="100" step="5" prop:value=sig(move || loops().to_string())
+                on:input=event(move |event| recipe.update(|recipe| recipe.loops_percent = percent(&event))) />
+            <output>{part(move || format!("{} %", loops()))}</output>
         </label>
         <label class="slide wide">
             "Dead ends cut back"
-            <input type="range" min="0" max="100" step="5" prop:value=move || cut().to_string()
-                on:input=move |event| recipe.update(|recipe| recipe.dead_ends_cut_percent = percent(&event)) />
-            <output>{move || format!("{} %", cut())}</output>
+            <input type="range" min="0" max="100" step="5" prop:value=sig(move || cut().to_string())
+                on:input=event(move |event| recipe.update(|recipe| recipe.dead_ends_cut_percent = percent(&event))) />
+            <output>{part(move || format!("{} %", cut()))}</output>
         </label>
     }
 }

@@ -1,5 +1,6 @@
 //! The file menu: a button and its menu, for pointers and for keys.
 
+use crate::web::erase::{key, mouse, part, sig};
 use leptos::html;
 use leptos::prelude::*;
 use wasm_bindgen::JsCast;
@@ -49,7 +50,7 @@ pub fn FileMenu() -> impl IntoView {
     };
     let item = move |label: &'static str, key: &'static str, act: fn(crate::web::state::Lab)| {
         view! {
-            <button role="menuitem" tabindex="-1" on:click=move |_| { close(); act(lab); }>
+            <button role="menuitem" tabindex="-1" on:click=mouse(move |_| { close(); act(lab); })>
                 {label}
                 {(!key.is_empty()).then(|| view! { <kbd aria-hidden="true">{key}</kbd> })}
             </button>
@@ -61,14 +62,14 @@ pub fn FileMenu() -> impl IntoView {
                 class="btn"
                 node_ref=button
                 aria-haspopup="menu"
-                aria-expanded=move || open.get().to_string()
-                on:click=move |_| open.update(|on| *on = !*on)
-                on:keydown=move |event| if event.key() == "ArrowDown" && !open.get_untracked() { event.prevent_default(); open.set(true) }
+                aria-expanded=sig(move || open.get().to_string())
+                on:click=mouse(move |_| open.update(|on| *on = !*on))
+                on:keydown=key(move |event| if event.key() == "ArrowDown" && !open.get_untracked() { event.prevent_default(); open.set(true) })
             >
                 "File ▾"
             </button>
-            {move || open.get().then(|| view! {
-                <div class="menu-list" role="menu" aria-label="File" node_ref=list on:keydown=on_key>
+            {part(move || open.get().then(|| view! {
+                <div class="menu-list" role="menu" aria-label="File" node_ref=list on:keydown=key(on_key)>
                     {item("New…", "Alt N", |lab| lab.dialog.set(Some(Dialog::New)))}
                     {item("Open a file…", "Ctrl O", choose_file)}
                     {item("Paste a maze…", "Ctrl V", |lab| lab.dialog.set(Some(Dialog::Paste)))}
@@ -80,7 +81,7 @@ pub fn FileMenu() -> impl IntoView {
                     <hr role="separator" />
                     {item("Resize…", "", |lab| lab.dialog.set(Some(Dialog::Resize)))}
                 </div>
-            })}
+            }))}
         </div>
     }
 }

@@ -1,5 +1,6 @@
 //! A maze or a link, pasted by hand.
 
+use crate::web::erase::{sig, submit};
 use leptos::html;
 use leptos::prelude::*;
 
@@ -34,10 +35,10 @@ pub fn Paste() -> impl IntoView {
     };
     view! {
         <Modal title="Paste a maze">
-            <form class="stack" on:submit=open>
+            <form class="stack" on:submit=submit(open)>
                 <label class="field" for="paste">"The text of a .maze or .json file, or a link to a maze"</label>
                 <textarea class="input" id="paste" rows="12" spellcheck="false" autocomplete="off" node_ref=text
-                    aria-invalid=move || (!wrong.with(String::is_empty)).to_string() aria-describedby="paste-wrong"></textarea>
+                    aria-invalid=sig(move || (!wrong.with(String::is_empty)).to_string()) aria-describedby="paste-wrong"></textarea>
                 <p class="wrong" id="paste-wrong" role="alert">{wrong}</p>
                 <div class="row"><button class="btn primary" type="submit">"Open"</button></div>
             </form>

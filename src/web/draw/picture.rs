@@ -1,5 +1,6 @@
 //! What is on the paper: points, line, start, finish, what a hand is doing, and what a check points to.
 
+use crate::web::erase::sig;
 use leptos::prelude::*;
 
 use super::desk::{Desk, desk, many};
@@ -24,7 +25,7 @@ pub fn marker_scale(pixel: f64) -> f64 {
 pub fn Picture() -> impl IntoView {
     let desk = desk();
     view! {
-        <svg class="maze" viewBox=move || desk.camera.view_box() aria-hidden="true">
+        <svg class="maze" viewBox=sig(move || desk.camera.view_box()) aria-hidden="true">
             <defs>
                 <pattern id="draw-dots" width=UNIT height=UNIT x=-UNIT / 2 y=-UNIT / 2 patternUnits="userSpaceOnUse">
                     <circle class="dot" cx=UNIT / 2 cy=UNIT / 2 r="3" />
@@ -112,7 +113,7 @@ fn Tape() -> impl IntoView {
         let data = Memo::new(move |_| {
             desk.lab.maze.with(|maze| paths::cells(corners, |at, heading| maze.has_line(at, heading)))
         });
-        view! { <path class="tape" d=move || data.get() /> }
+        view! { <path class="tape" d=sig(move || data.get()) /> }
     };
     view! { <For each=move || paths::tiles(bounds.get()) key=|corners| *corners children=tile /> }
 }

@@ -1,5 +1,6 @@
 //! The samples: a shelf below the drawing, and all of them with their notes.
 
+use crate::web::erase::mouse;
 use leptos::prelude::*;
 
 use super::desk::say_done;
@@ -17,7 +18,7 @@ pub fn Shelf() -> impl IntoView {
         let title = maze.about.title.clone();
         view! {
             <li>
-                <button title=title on:click=move |_| open(lab, sample)>
+                <button title=title on:click=mouse(move |_| open(lab, sample))>
                     {thumb(&maze)}
                     <span>{sample.label}</span>
                 </button>
@@ -31,7 +32,7 @@ pub fn Shelf() -> impl IntoView {
                 <span class="small hide-m">"or drop a file anywhere"</span>
             </div>
             <ul class="shelf">{SAMPLES.iter().map(item).collect_view()}</ul>
-            <button class="btn" on:click=move |_| lab.dialog.set(Some(Dialog::Samples))>{format!("All {}", SAMPLES.len())}</button>
+            <button class="btn" on:click=mouse(move |_| lab.dialog.set(Some(Dialog::Samples)))>{format!("All {}", SAMPLES.len())}</button>
         </footer>
     }
 }
@@ -56,7 +57,7 @@ pub fn Samples() -> impl IntoView {
         };
         view! {
             <li>
-                <button on:click=choose>
+                <button on:click=mouse(choose)>
                     {thumb(&maze)}
                     <span>
                         <b>{about.title}</b>

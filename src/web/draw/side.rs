@@ -1,5 +1,6 @@
 //! Beside the drawing: sizes on the floor, and what the book's explorer makes of the maze.
 
+use crate::web::erase::{mouse, part, sig};
 use leptos::prelude::*;
 
 use super::desk::{desk, many};
@@ -25,7 +26,7 @@ pub fn Floor() -> impl IntoView {
     let kind = Memo::new(move |_| lab.maze.with(|maze| maze.kind));
     let choice = move |of: Kind, name: &'static str| {
         view! {
-            <button aria-pressed=move || (kind.get() == of).to_string() on:click=move |_| { lab.edit(Edit::Kind(of)); }>{name}</button>
+            <button aria-pressed=sig(move || (kind.get() == of).to_string()) on:click=mouse(move |_| { lab.edit(Edit::Kind(of)); })>{name}</button>
         }
     };
     let has_start = Memo::new(move |_| lab.maze.with(|maze| maze.start().is_some()));
@@ -45,13 +46,13 @@ pub fn Floor() -> impl IntoView {
                 </div>
                 <div class="field">
                     <span>"Start"</span>
-                    <button class="btn" title="Turn the start clockwise (T)" disabled=move || !has_start.get() on:click=move |_| desk.turn_start()>
+                    <button class="btn" title="Turn the start clockwise (T)" disabled=sig(move || !has_start.get()) on:click=mouse(move |_| desk.turn_start())>
                         {icons::again()} "Turn"<span class="vh">" the start clockwise"</span>
                     </button>
                 </div>
-                {move || (kind.get() == Kind::Wall).then(|| view! {
+                {part(move || (kind.get() == Kind::Wall).then(|| view! {
                     <p class="small wide">"Walls are shown as lines here for now: a line is an open way between two squares."</p>
-                })}
+                }))}
             </div>
         </section>
     }
@@ -83,7 +84,7 @@ pub fn Explorer() -> impl IntoView {
             <h2>"The book’s explorer"</h2>
             <div class="pad stack">
                 <p aria-live="polite">{sentence}</p>
-                <button class="btn primary" disabled=move || !can.get() on:click=move |_| go(lab, Room::Step)>"Step through it →"</button>
+                <button class="btn primary" disabled=sig(move || !can.get()) on:click=mouse(move |_| go(lab, Room::Step))>"Step through it →"</button>
             </div>
         </section>
     }

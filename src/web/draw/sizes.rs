@@ -1,5 +1,6 @@
 //! A new, empty maze, and another size for the one that is there.
 
+use crate::web::erase::{sig, submit};
 use leptos::prelude::*;
 
 use super::desk::{many, say_done};
@@ -31,7 +32,7 @@ pub fn New() -> impl IntoView {
     };
     view! {
         <Modal title="New maze" width=Width::Narrow>
-            <form class="stack" on:submit=make novalidate>
+            <form class="stack" on:submit=submit(make) novalidate>
                 <div class="pair">
                     <Side id="new-width" label="Width, points" value=Signal::derive(move || size.get().0) set=move |w| size.update(|size| size.0 = w) />
                     <Side id="new-height" label="Height, points" value=Signal::derive(move || size.get().1) set=move |h| size.update(|size| size.1 = h) />
@@ -116,7 +117,7 @@ pub fn Resize() -> impl IntoView {
     let grown = move |side: fn(&mut Growth) -> &mut i32| Signal::derive(move || *side(&mut growth.get()));
     view! {
         <Modal title="Resize" width=Width::Narrow>
-            <form class="stack" on:submit=apply novalidate>
+            <form class="stack" on:submit=submit(apply) novalidate>
                 <div class="pair">
                     <Side id="resize-width" label="Width, points" value=width
                         set=move |w| growth.update(|g| g.east = w.cast_signed() - before.width().cast_signed() - g.west) />
@@ -131,7 +132,7 @@ pub fn Resize() -> impl IntoView {
                     <Edge id="grow-south" label="South" value=grown(|g| &mut g.south) set=grow(|g| &mut g.south) />
                 </div>
                 <p role="status">{size} " " <b>{cut}</b></p>
-                <div class="row"><button class="btn primary" type="submit" disabled=move || after.get().is_none()>"Resize"</button></div>
+                <div class="row"><button class="btn primary" type="submit" disabled=sig(move || after.get().is_none())>"Resize"</button></div>
             </form>
         </Modal>
     }

@@ -1,5 +1,6 @@
 //! The tools beside the drawing; on a phone below it.
 
+use crate::web::erase::{mouse, sig};
 use leptos::prelude::*;
 
 use super::desk::desk;
@@ -12,7 +13,7 @@ pub fn Tools() -> impl IntoView {
     let desk = desk();
     let tool = move |tool: Tool, name: &'static str, title: &'static str, icon: AnyView| {
         view! {
-            <button class="tool" title=title aria-pressed=move || (desk.held_tool() == tool).to_string() on:click=move |_| desk.take(tool)>
+            <button class="tool" title=title aria-pressed=sig(move || (desk.held_tool() == tool).to_string()) on:click=mouse(move |_| desk.take(tool))>
                 {icon}
                 {name}
             </button>

@@ -1,5 +1,6 @@
 //! The algorithm, with the line that ran and the one that runs next.
 
+use crate::web::erase::{mouse, part, sig};
 use leptos::html;
 use leptos::prelude::*;
 
@@ -31,10 +32,10 @@ pub fn CodeCard() -> impl IntoView {
     let row = move |(index, listed): (usize, &'static Listed)| {
         let is = move |line: Memo<Option<usize>>| line.get() == Some(index);
         view! {
-            <li class:ran=move || is(ran) class:next=move || is(next) aria-current=move || is(ran).then_some("step")>
+            <li class:ran=sig(move || is(ran)) class:next=sig(move || is(next)) aria-current=sig(move || is(ran).then_some("step"))>
                 <span class="ln">{listed.label}</span>
                 <span class=indent(listed.text)>{split(listed.text).map(token).collect_view()}</span>
-                <span class="tag">{move || if is(ran) { "ran" } else if is(next) { "next" } else { "" }}</span>
+                <span class="tag">{part(move || if is(ran) { "ran" } else if is(next) { "next" } else { "" })}</span>
             </li>
         }
     };
@@ -43,7 +44,7 @@ pub fn CodeCard() -> impl IntoView {
             <h2 id="code-title">
                 "The algorithm"
                 <span class="spacer"></span>
-                <button class="btn quiet" on:click=move |_| lab.dialog.set(Some(Dialog::Glossary(None)))>"Glossary (G)"</button>
+                <button class="btn quiet" on:click=mouse(move |_| lab.dialog.set(Some(Dialog::Glossary(None))))>"Glossary (G)"</button>
             </h2>
             <ol class="code" node_ref=list tabindex="0" aria-labelledby="code-title">
                 {LISTING.iter().enumerate().map(row).collect_view()}
@@ -70,7 +71,7 @@ fn token(token: Token<'static>) -> impl IntoView {
         Token::Text(text) => text.into_any(),
         Token::Name(text, entry) => {
             let name = entry.name;
-            view! { <button class="name" tabindex="-1" on:click=move |_| look_up(lab, name)>{text}</button> }
+            view! { <button class="name" tabindex="-1" on:click=mouse(move |_| look_up(lab, name))>{text}</button> }
                 .into_any()
         }
     }

@@ -1,5 +1,6 @@
 //! What just happened: the case, the sentences, the variables, and where the book errs.
 
+use crate::web::erase::{event, focus, mouse, part, pointer, sig};
 use leptos::prelude::*;
 use wasm_bindgen::JsCast;
 
@@ -74,11 +75,11 @@ fn piece(span: Span) -> impl IntoView {
         Span::Node(node) => view! {
             <button
                 class="noderef"
-                on:pointerenter=move |_| lab.lit.set(Some(node))
-                on:pointerleave=move |_| lab.lit.set(None)
-                on:focus=move |_| lab.lit.set(Some(node))
-                on:blur=move |_| lab.lit.set(None)
-                on:click=move |_| lab.lit.set(Some(node))
+                on:pointerenter=pointer(move |_| lab.lit.set(Some(node)))
+                on:pointerleave=pointer(move |_| lab.lit.set(None))
+                on:focus=focus(move |_| lab.lit.set(Some(node)))
+                on:blur=focus(move |_| lab.lit.set(None))
+                on:click=mouse(move |_| lab.lit.set(Some(node)))
             >
                 {format!("node {node}")}
             </button>
@@ -132,11 +133,11 @@ pub fn NowCard() -> impl IntoView {
     view! {
         <section class="card" aria-labelledby="now-title">
             <h2 id="now-title">"What just happened"</h2>
-            <div class="now" id="said" role="status" aria-live=move || if playing_fast() { "off" } else { "polite" }>
+            <div class="now" id="said" role="status" aria-live=sig(move || if playing_fast() { "off" } else { "polite" })>
                 <Said length=Length::Full />
             </div>
-            {move || at_finish.get().then(|| view! { <ResultCard /> })}
-            {move || (lab.round.get() == Round::Explore).then(|| view! { <Variables /> <Errata /> })}
+            {part(move || at_finish.get().then(|| view! { <ResultCard /> }))}
+            {part(move || (lab.round.get() == Round::Explore).then(|| view! { <Variables /> <Errata /> }))}
         </section>
     }
 }
@@ -160,9 +161,9 @@ fn Errata() -> impl IntoView {
     let open = RwSignal::new(false);
     move || {
         notes.with(|notes| !notes.is_empty()).then(|| view! {
-        <details class="errata-notes" prop:open=open.get_untracked() on:toggle=move |event| {
+        <details class="errata-notes" prop:open=open.get_untracked() on:toggle=event(move |event| {
             open.set(event.target().is_some_and(|details| details.unchecked_into::<web_sys::Element>().has_attribute("open")));
-        }>
+        })>
             <summary>
                 <span class="mark info">{crate::web::icons::book()}</span>
                 <span>{titles}</span>
@@ -170,7 +171,7 @@ fn Errata() -> impl IntoView {
             <For each=move || notes.get() key=|note| note.0.title let:note>
                 <ErratumNote erratum=note.0 />
             </For>
-            <div class="row"><button class="btn" on:click=move |_| lab.dialog.set(Some(Dialog::Errata))>"All errata"</button></div>
+            <div class="row"><button class="btn" on:click=mouse(move |_| lab.dialog.set(Some(Dialog::Errata)))>"All errata"</button></div>
         </details>
     })
     }
@@ -273,10 +274,10 @@ fn Variables() -> impl IntoView {
     let more = RwSignal::new(false);
     view! {
         <div class="vars" aria-label="Variables" role="group">
-            {move || chips(first)}
-            {move || more.get().then(|| chips(further))}
-            <button class="var more" aria-expanded=move || more.get().to_string() on:click=move |_| more.update(|on| *on = !*on)>
-                {move || if more.get() { "less ▴" } else { "clock, sensors ▾" }}
+            {part(move || chips(first))}
+            {part(move || more.get().then(|| chips(further)))}
+            <button class="var more" aria-expanded=sig(move || more.get().to_string()) on:click=mouse(move |_| more.update(|on| *on = !*on))>
+                {part(move || if more.get() { "less ▴" } else { "clock, sensors ▾" })}
             </button>
         </div>
     }
@@ -291,7 +292,7 @@ fn chip(var: Var) -> impl IntoView {
             class:changed=changed
             data-var=name
             title=if changed { "changed here; click for its meaning" } else { "click for its meaning" }
-            on:click=move |_| look_up(lab, name)
+            on:click=mouse(move |_| look_up(lab, name))
         >
             <i>{name}</i>
             <span>{value}</span>

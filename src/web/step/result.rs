@@ -1,5 +1,6 @@
 //! The end of a run: the turn list, how good its route is, and round 2.
 
+use crate::web::erase::{mouse, part, sig};
 use leptos::prelude::*;
 
 use crate::maze::Maze;
@@ -35,18 +36,18 @@ pub fn ResultCard() -> impl IntoView {
                     <Letters />
                     <Facts />
                     <div class="row">
-                        <button class="btn primary" on:click=move |_| lab.drive_solved()>"Drive the solved run"</button>
-                        <button class="btn" on:click=move |_| browser::copy(copy_letters.clone(), copied)>"Copy"</button>
-                        <button class="btn" aria-expanded=move || c_array.get().to_string() on:click=move |_| c_array.update(|on| *on = !*on)>"C array"</button>
-                        <button class="btn" on:click=move |_| lab.dialog.set(Some(Dialog::Share))>"Share"</button>
+                        <button class="btn primary" on:click=mouse(move |_| lab.drive_solved())>"Drive the solved run"</button>
+                        <button class="btn" on:click=mouse(move |_| browser::copy(copy_letters.clone(), copied))>"Copy"</button>
+                        <button class="btn" aria-expanded=sig(move || c_array.get().to_string()) on:click=mouse(move |_| c_array.update(|on| *on = !*on))>"C array"</button>
+                        <button class="btn" on:click=mouse(move |_| lab.dialog.set(Some(Dialog::Share)))>"Share"</button>
                     </div>
-                    {move || c_array.get().then(|| {
+                    {part(move || c_array.get().then(|| {
                         let (shown, copied_array) = (array.clone(), copy_array.clone());
                         view! {
                             <pre class="snip mono" tabindex="0"><code>{shown}</code></pre>
-                            <div class="row"><button class="btn" on:click=move |_| browser::copy(copied_array.clone(), copied)>"Copy the array"</button></div>
+                            <div class="row"><button class="btn" on:click=mouse(move |_| browser::copy(copied_array.clone(), copied))>"Copy the array"</button></div>
                         }
-                    })}
+                    }))}
                 </div>
             })
         })
@@ -89,7 +90,7 @@ fn Letters() -> impl IntoView {
                 {letters
                     .into_iter()
                     .zip(1usize..)
-                    .map(|(letter, i)| view! { <li class:lit=move || used() == Some(i)><b>{letter}</b><span>{format!("node {i}")}</span></li> })
+                    .map(|(letter, i)| view! { <li class:lit=sig(move || used() == Some(i))><b>{letter}</b><span>{format!("node {i}")}</span></li> })
                     .collect_view()}
             </ol>
         }
@@ -134,7 +135,7 @@ pub fn SolvedCard() -> impl IntoView {
             <div class="result">
                 <Letters />
                 <Facts />
-                <div class="row"><button class="btn primary" on:click=move |_| lab.round.set(Round::Explore)>"Back to the exploration"</button></div>
+                <div class="row"><button class="btn primary" on:click=mouse(move |_| lab.round.set(Round::Explore))>"Back to the exploration"</button></div>
             </div>
         </section>
     }

@@ -1,5 +1,6 @@
 //! The maze while a run goes on: line, trails, nodes, bot.
 
+use crate::web::erase::{part, pointer, sig, wheel};
 use leptos::html;
 use leptos::prelude::*;
 
@@ -44,41 +45,41 @@ pub fn Stage() -> impl IntoView {
         <div
             class="canvas"
             node_ref=frame
-            class:zoomed=move || !camera.is_fitted()
-            on:wheel=on_wheel
-            on:pointerdown=move |event| {
+            class:zoomed=sig(move || !camera.is_fitted())
+            on:wheel=wheel(on_wheel)
+            on:pointerdown=pointer(move |event| {
                 if !camera.is_fitted() {
                     drag.set(Some((event.pointer_id(), f64::from(event.client_x()), f64::from(event.client_y()))));
                 }
-            }
-            on:pointermove=move |event| {
+            })
+            on:pointermove=pointer(move |event| {
                 let (x, y) = (f64::from(event.client_x()), f64::from(event.client_y()));
                 if let Some((id, from_x, from_y)) = drag.get_untracked().filter(|drag| drag.0 == event.pointer_id()) {
                     camera.pan(x - from_x, y - from_y);
                     drag.set(Some((id, x, y)));
                 }
-            }
-            on:pointerup=move |_| drag.set(None)
-            on:pointercancel=move |_| drag.set(None)
+            })
+            on:pointerup=pointer(move |_| drag.set(None))
+            on:pointercancel=pointer(move |_| drag.set(None))
         >
             <svg
                 class="maze"
-                viewBox=move || camera.view_box()
+                viewBox=sig(move || camera.view_box())
                 role="img"
-                aria-label=move || describe(lab, stop.get())
-                data-stop=move || stop.get()
-                data-crossed=move || with_run(lab, |run| run.ink.crossed_cells(stop.get()))
+                aria-label=sig(move || describe(lab, stop.get()))
+                data-stop=sig(move || stop.get())
+                data-crossed=sig(move || with_run(lab, |run| run.ink.crossed_cells(stop.get())))
             >
                 <Defs />
                 <Floor />
-                <path class="tape" d=move || tape(lab, stop.get()) />
-                {move || (lab.round.get() == Round::Explore).then(|| view! {
-                    <path class="remembered" d=move || drawn.with(|d| d.remembered.clone()) />
-                    <path class="given-up" d=move || drawn.with(|d| d.given_up.clone()) />
-                    <path class="crossed" stroke="url(#crosses)" d=move || drawn.with(|d| d.crossed.clone()) />
+                <path class="tape" d=sig(move || tape(lab, stop.get())) />
+                {part(move || (lab.round.get() == Round::Explore).then(|| view! {
+                    <path class="remembered" d=sig(move || drawn.with(|d| d.remembered.clone())) />
+                    <path class="given-up" d=sig(move || drawn.with(|d| d.given_up.clone())) />
+                    <path class="crossed" stroke="url(#crosses)" d=sig(move || drawn.with(|d| d.crossed.clone())) />
                     <Driving />
-                })}
-                {move || (lab.round.get() == Round::Solved).then(|| view! { <path class="route" d=move || route(lab) /> })}
+                }))}
+                {part(move || (lab.round.get() == Round::Solved).then(|| view! { <path class="route" d=sig(move || route(lab)) /> }))}
                 <Ends camera=camera />
                 // Under the nodes, so that their numbers stay readable: nose and wheels look out.
                 <Bot pose=Signal::derive(move || pose(lab)) pixel=Signal::derive(move || camera.pixel()) />
@@ -192,9 +193,9 @@ fn Driving() -> impl IntoView {
     });
     view! {
         <path
-            class=move || if path.with(|path| path.1) { "crossed" } else { "remembered" }
-            stroke=move || path.with(|path| path.1.then_some("url(#crosses)"))
-            d=move || path.with(|path| path.0.clone())
+            class=sig(move || if path.with(|path| path.1) { "crossed" } else { "remembered" })
+            stroke=sig(move || path.with(|path| path.1.then_some("url(#crosses)")))
+            d=sig(move || path.with(|path| path.0.clone()))
         />
     }
 }
@@ -272,15 +273,15 @@ fn NodeDisc(node: NodeMark, here: Memo<u32>, numbered: Signal<bool>) -> impl Int
     view! {
         <g
             class="node"
-            class:lit=move || lab.lit.get() == Some(number)
-            class:here=move || here.get() == number
+            class:lit=sig(move || lab.lit.get() == Some(number))
+            class:here=sig(move || here.get() == number)
             data-node=number
             transform=format!("translate({} {})", node.at.x * UNIT, -node.at.y * UNIT)
-            on:pointerenter=move |_| lab.lit.set(Some(number))
-            on:pointerleave=move |_| lab.lit.set(None)
+            on:pointerenter=pointer(move |_| lab.lit.set(Some(number)))
+            on:pointerleave=pointer(move |_| lab.lit.set(None))
         >
             <circle class="disc" r="17" />
-            {move || numbered.get().then(|| view! { <text y="6">{number}</text> })}
+            {part(move || numbered.get().then(|| view! { <text y="6">{number}</text> }))}
         </g>
     }
 }

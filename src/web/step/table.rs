@@ -1,5 +1,6 @@
 //! The node table: what the bot remembers. Long tables show the rows that are in sight only.
 
+use crate::web::erase::{event, mouse, part, pointer, sig};
 use leptos::html;
 use leptos::prelude::*;
 
@@ -35,10 +36,10 @@ pub fn NodeTable() -> impl IntoView {
     keep_in_sight(lab, scroller);
     view! {
         <section class="card fill nodes-card" aria-labelledby="nodes-title">
-            <h2 id="nodes-title">"Node table"<span class="spacer"></span><span class="small">{move || remembered(ptr.get() - 1)}</span></h2>
-            {move || if ptr.get() > 1 {
+            <h2 id="nodes-title">"Node table"<span class="spacer"></span><span class="small">{part(move || remembered(ptr.get() - 1))}</span></h2>
+            {part(move || if ptr.get() > 1 {
                 view! {
-                    <div class="scroll nodes-scroll" node_ref=scroller on:scroll=on_scroll tabindex="0" role="region" aria-labelledby="nodes-title">
+                    <div class="scroll nodes-scroll" node_ref=scroller on:scroll=event(on_scroll) tabindex="0" role="region" aria-labelledby="nodes-title">
                         <table class="nodes">
                             <thead><tr>
                                 <th scope="col">"#"</th>
@@ -58,7 +59,7 @@ pub fn NodeTable() -> impl IntoView {
                 }.into_any()
             } else {
                 view! { <NoNode /> }.into_any()
-            }}
+            })}
         </section>
     }
 }
@@ -108,7 +109,7 @@ fn Gap(rows: Signal<u32>) -> impl IntoView {
 #[component]
 fn Term(name: &'static str) -> impl IntoView {
     let lab = lab();
-    view! { <button class="name" on:click=move |_| look_up(lab, name)>{name}</button> }
+    view! { <button class="name" on:click=mouse(move |_| look_up(lab, name))>{name}</button> }
 }
 
 #[component]
@@ -134,20 +135,20 @@ fn NodeRow(number: u32) -> impl IntoView {
     view! {
         <tr
             class:here=here
-            class:lit=move || lab.lit.get() == Some(number)
+            class:lit=sig(move || lab.lit.get() == Some(number))
             data-node=number
-            aria-current=move || here().then_some("true")
-            on:pointerenter=move |_| lab.lit.set(Some(number))
-            on:pointerleave=move |_| lab.lit.set(None)
+            aria-current=sig(move || here().then_some("true"))
+            on:pointerenter=pointer(move |_| lab.lit.set(Some(number)))
+            on:pointerleave=pointer(move |_| lab.lit.set(None))
         >
             <td>
                 {number}
-                {move || here().then(|| view! { <span class="tag" title="The bot stands here">"◂"<span class="vh">"the bot stands here"</span></span> })}
-                {move || top().then(|| view! { <span class="tag">"ptr−1"</span> })}
+                {part(move || here().then(|| view! { <span class="tag" title="The bot stands here">"◂"<span class="vh">"the bot stands here"</span></span> }))}
+                {part(move || top().then(|| view! { <span class="tag">"ptr−1"</span> }))}
             </td>
-            <td>{move || Heading::ALL.map(way).into_iter().collect_view()}</td>
-            <td>{move || row.with(|row| row.map(|row| row.node.back_path.to_string()))}</td>
-            <td>{move || row.with(|row| row.map(|row| format!("{}, {}", row.node.x_cor, row.node.y_cor)))}</td>
+            <td>{part(move || Heading::ALL.map(way).into_iter().collect_view())}</td>
+            <td>{part(move || row.with(|row| row.map(|row| row.node.back_path.to_string())))}</td>
+            <td>{part(move || row.with(|row| row.map(|row| format!("{}, {}", row.node.x_cor, row.node.y_cor))))}</td>
         </tr>
     }
 }
@@ -160,7 +161,7 @@ fn NoNode() -> impl IntoView {
         <div class="blank">
             <p><b>"No node yet"</b></p>
             <p class="small">"The bot has met no fork. Step on to the first one."</p>
-            <button class="btn" on:click=move |_| lab.play(Command::NextEvent(Some(Mark::Node)))>"Next node"</button>
+            <button class="btn" on:click=mouse(move |_| lab.play(Command::NextEvent(Some(Mark::Node))))>"Next node"</button>
         </div>
     }
 }

@@ -1,5 +1,6 @@
 //! Time: the buttons, the scrubber with its event markers, the counter, and what a step is.
 
+use crate::web::erase::{event, mouse, part, pointer, sig};
 use leptos::html;
 use leptos::prelude::*;
 
@@ -31,7 +32,7 @@ pub fn Buttons() -> impl IntoView {
     let dead = move || lab.run.with(Result::is_err);
     let button = move |label: &'static str, command: Command, icon: AnyView| {
         view! {
-            <button aria-label=label title=label disabled=dead on:click=move |_| lab.play(command)>
+            <button aria-label=label title=label disabled=dead on:click=mouse(move |_| lab.play(command))>
                 {icon}
             </button>
         }
@@ -42,11 +43,11 @@ pub fn Buttons() -> impl IntoView {
             {button("Back (←)", Command::Back, icons::back().into_any())}
             <button
                 class="play"
-                aria-label=move || if playing() { "Pause (Space)" } else { "Play (Space)" }
+                aria-label=sig(move || if playing() { "Pause (Space)" } else { "Play (Space)" })
                 disabled=dead
-                on:click=move |_| lab.play(Command::Toggle)
+                on:click=mouse(move |_| lab.play(Command::Toggle))
             >
-                {move || if playing() { icons::pause().into_any() } else { icons::play().into_any() }}
+                {part(move || if playing() { icons::pause().into_any() } else { icons::play().into_any() })}
             </button>
             {button("Forward (→)", Command::Forward, icons::forward().into_any())}
             {button("To end (End)", Command::ToEnd, icons::to_end().into_any())}
@@ -112,33 +113,33 @@ fn Scrubber() -> impl IntoView {
             tabindex="0"
             aria-label="Stop"
             aria-valuemin="0"
-            aria-valuemax=move || count.get()
-            aria-valuenow=move || lab.playing().with(|playback| playback.moment().stop)
-            aria-valuetext=move || said(lab, lab.playing().with(|playback| playback.moment().stop))
-            on:pointerdown=move |event| {
+            aria-valuemax=sig(move || count.get())
+            aria-valuenow=sig(move || lab.playing().with(|playback| playback.moment().stop))
+            aria-valuetext=sig(move || said(lab, lab.playing().with(|playback| playback.moment().stop)))
+            on:pointerdown=pointer(move |event| {
                 if let Some(element) = track.get_untracked() {
                     let _ = element.set_pointer_capture(event.pointer_id());
                 }
                 dragging.set(true);
                 seek(&event);
-            }
-            on:pointermove=move |event| {
+            })
+            on:pointermove=pointer(move |event| {
                 hover.set(stop_under(&event));
                 if dragging.get_untracked() {
                     seek(&event);
                 }
-            }
-            on:pointerup=move |_| dragging.set(false)
-            on:pointercancel=move |_| dragging.set(false)
-            on:pointerleave=move |_| hover.set(None)
+            })
+            on:pointerup=pointer(move |_| dragging.set(false))
+            on:pointercancel=pointer(move |_| dragging.set(false))
+            on:pointerleave=pointer(move |_| hover.set(None))
         >
             <div class="track" node_ref=track>
-                <div class="fill" style:width=move || percent(at())></div>
+                <div class="fill" style:width=sig(move || percent(at()))></div>
                 <Markers count=count />
-                <div class="thumb" style:left=move || percent(at())></div>
-                {move || hover.get().map(|(stop, left)| view! {
+                <div class="thumb" style:left=sig(move || percent(at()))></div>
+                {part(move || hover.get().map(|(stop, left)| view! {
                     <div class="tip" style:left=format!("{left:.2}%") aria-hidden="true">{said(lab, stop)}</div>
-                })}
+                }))}
             </div>
         </div>
     }
@@ -187,7 +188,7 @@ fn Markers(count: Memo<u32>) -> impl IntoView {
     });
     view! {
         <svg aria-hidden="true">
-            {move || marks.get().into_iter().map(|(mark, at)| marker(mark, at)).collect_view()}
+            {part(move || marks.get().into_iter().map(|(mark, at)| marker(mark, at)).collect_view())}
         </svg>
     }
 }
@@ -232,7 +233,7 @@ pub fn Counter() -> impl IntoView {
             _ => String::new(),
         })
     };
-    view! { <div class="count" id="count">"stop "<b>{stop}</b>" / "{move || stops(lab)}<span class="hide-l">{cells}</span></div> }
+    view! { <div class="count" id="count">"stop "<b>{stop}</b>" / "{part(move || stops(lab))}<span class="hide-l">{cells}</span></div> }
 }
 
 /// To the next event of a kind.
@@ -246,11 +247,11 @@ fn EventPicker() -> impl IntoView {
     };
     view! {
         <span class="group">
-            <select class="input event-kind" aria-label="Kind of event" on:change=choose>
+            <select class="input event-kind" aria-label="Kind of event" on:change=event(choose)>
                 <option value="0">"any event"</option>
                 {Mark::NAMED.iter().zip(1..).map(|((_, name), i)| view! { <option value=i>{*name}</option> }).collect_view()}
             </select>
-            <button class="btn icon" aria-label="Next event (N)" title="Next event of this kind (N; Shift+N back)" on:click=move |_| lab.play(Command::NextEvent(kind.get_untracked()))>
+            <button class="btn icon" aria-label="Next event (N)" title="Next event of this kind (N; Shift+N back)" on:click=mouse(move |_| lab.play(Command::NextEvent(kind.get_untracked())))>
                 {icons::next_event()}
             </button>
         </span>
@@ -263,7 +264,7 @@ fn UnitPicker() -> impl IntoView {
     let lab = lab();
     let button = move |unit: Unit, name: &'static str| {
         let chosen = move || lab.playing().with(|playback| playback.unit() == unit);
-        view! { <button aria-pressed=move || chosen().to_string() on:click=move |_| lab.play(Command::StepBy(unit))>{name}</button> }
+        view! { <button aria-pressed=sig(move || chosen().to_string()) on:click=mouse(move |_| lab.play(Command::StepBy(unit)))>{name}</button> }
     };
     view! {
         <div class="seg" role="group" aria-label="A step is">
@@ -282,7 +283,7 @@ fn SpeedPicker() -> impl IntoView {
         }
     };
     view! {
-        <select class="input" aria-label="Speed" title="Speed; 1× is the robot’s own pace" on:change=choose prop:value=move || lab.playing().with(|playback| playback.speed().to_string())>
+        <select class="input" aria-label="Speed" title="Speed; 1× is the robot’s own pace" on:change=event(choose) prop:value=sig(move || lab.playing().with(|playback| playback.speed().to_string()))>
             {SPEEDS.map(|speed| view! { <option value=speed.to_string()>{format!("{speed}×")}</option> }).into_iter().collect_view()}
         </select>
     }

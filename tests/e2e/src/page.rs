@@ -139,7 +139,8 @@ impl Page {
     /// If it never does.
     pub async fn wait_for_text(&self, css: &str, words: &str) -> Result<()> {
         let (css, words) = (json!(css), json!(words.to_lowercase()));
-        self.wait_until(&format!("document.querySelector({css})?.innerText.toLowerCase().includes({words})")).await
+        self.wait_until(&format!("document.querySelector({css})?.innerText.toLowerCase().includes({words})"))
+            .await
     }
 
     /// Waits until an element is there.

@@ -33,7 +33,10 @@ async fn kept(page: &Page) -> Result<String> {
 async fn keeps(page: &Page, expected: &Maze) -> Result<()> {
     has_cells(page, expected.cells()).await?;
     let kept = text::parse(&kept(page).await?)?;
-    assert_eq!((kept.bounds(), kept.start(), kept.finish()), (expected.bounds(), expected.start(), expected.finish()));
+    assert_eq!(
+        (kept.bounds(), kept.start(), kept.finish()),
+        (expected.bounds(), expected.start(), expected.finish())
+    );
     assert!(kept.lines().eq(expected.lines()), "{}", text::write(&kept));
     Ok(())
 }
@@ -217,7 +220,10 @@ async fn two_fingers_zoom_and_draw_nothing() -> Result<()> {
         let after = percent().await?;
         assert!(after > before * 2.0, "{before} % became {after} %");
         let still = between(page, (3.5, 2.5)).await?;
-        assert!((still.0 - middle.0).abs() < 3.0 && (still.1 - middle.1).abs() < 3.0, "{middle:?} is at {still:?}");
+        assert!(
+            (still.0 - middle.0).abs() < 3.0 && (still.1 - middle.1).abs() < 3.0,
+            "{middle:?} is at {still:?}"
+        );
         page.pinch(middle, 240.0, 60.0).await?;
         assert!((percent().await? - before).abs() < before / 5.0);
         assert_eq!(kept(page).await?, drawn);
@@ -307,7 +313,8 @@ async fn start_and_finish_are_dragged_and_turned() -> Result<()> {
         assert_eq!(start().await?, "7,0 west");
         // By its handle, with any tool.
         page.click("Line").await?;
-        let rect = page.eval("document.querySelector('.start .handle').getBoundingClientRect().toJSON()").await?;
+        let rect =
+            page.eval("document.querySelector('.start .handle').getBoundingClientRect().toJSON()").await?;
         let of = |name: &str| rect[name].as_f64().unwrap_or_default();
         let handle = (of("x") + of("width") / 2.0, of("y") + of("height") / 2.0);
         let above = at(page, (7, 2)).await?;
@@ -330,7 +337,8 @@ async fn start_and_finish_are_dragged_and_turned() -> Result<()> {
 #[tokio::test]
 async fn a_maze_is_saved_and_opened_again() -> Result<()> {
     // The system's own dialog for files can't be used by a test: the field is put on the page instead.
-    let chooser = "HTMLInputElement.prototype.click = function () { document.querySelector('main').append(this) };";
+    let chooser =
+        "HTMLInputElement.prototype.click = function () { document.querySelector('main').append(this) };";
     draw_room(Setup::default().script(chooser), async |page| {
         let downloads = page.allow_downloads().await?;
         let path = places(page, &[(0, 3), (0, 3)]).await?;
@@ -446,10 +454,15 @@ async fn checks_point_to_the_place() -> Result<()> {
         page.screenshot("checks").await?;
         page.click("Show it").await?;
         page.wait_for("#drawing .shown").await?;
-        let shown = page.eval("document.querySelector('#drawing .shown rect').getBoundingClientRect().toJSON()").await?;
+        let shown = page
+            .eval("document.querySelector('#drawing .shown rect').getBoundingClientRect().toJSON()")
+            .await?;
         let (x, y) = at(page, FINISH).await?;
         let inside = |low: &Value, at: f64, high: &Value| low.as_f64() < Some(at) && Some(at) < high.as_f64();
-        assert!(inside(&shown["left"], x, &shown["right"]) && inside(&shown["top"], y, &shown["bottom"]), "{shown}");
+        assert!(
+            inside(&shown["left"], x, &shown["right"]) && inside(&shown["top"], y, &shown["bottom"]),
+            "{shown}"
+        );
         page.click("Show it").await?;
         page.wait_for_no("#drawing .shown").await?;
         page.press("Control+z").await?;

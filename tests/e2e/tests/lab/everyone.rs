@@ -55,7 +55,9 @@ async fn everything_fits(setup: Setup, device: &str) -> Result<()> {
         let mut found = BTreeSet::new();
         let mut look = async |what: &str| -> Result<()> {
             let troubles = page.call(TROUBLES, &[]).await?;
-            found.extend(troubles.as_array().into_iter().flatten().map(|trouble| format!("{what}: {trouble}")));
+            found.extend(
+                troubles.as_array().into_iter().flatten().map(|trouble| format!("{what}: {trouble}")),
+            );
             Ok(())
         };
         look("the start").await?;
