@@ -68,7 +68,8 @@ pub fn Modal(title: &'static str, #[prop(optional)] width: Width, children: Chil
                 <h2 id="dialog-title">{title}</h2>
                 <button class="btn icon quiet" aria-label="Close" on:click=mouse(move |_| close())>{icons::close()}</button>
             </div>
-            <div class="dialog-body">{children()}</div>
+            // What scrolls can be scrolled by keys.
+            <div class="dialog-body" tabindex="0">{children()}</div>
         </dialog>
     }
 }

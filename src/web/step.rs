@@ -25,7 +25,10 @@ pub fn StepRoom() -> impl IntoView {
         <main class="main" id="main" tabindex="-1">
             <h1 class="vh">"Step"</h1>
             <section class="stage" aria-label="Maze">
-                <StageBar />
+                <div>
+                    <StageBar />
+                    <super::notes::BrokenLink />
+                </div>
                 <Stage />
             </section>
             <div class="side">

@@ -1,5 +1,7 @@
 //! Hands: keys, mouse and fingers, with the browser's own trusted events.
 
+use std::time::{SystemTime, UNIX_EPOCH};
+
 use anyhow::{Context, Result, bail};
 use fantoccini::Locator;
 use serde_json::{Value, json};
@@ -21,7 +23,12 @@ pub enum Button {
 /// The name by which a person calls a control: its label without the key in brackets, or its text.
 const CONTROL: &str = "(name) => {
     const plain = (text) => text.trim().replace(/\\s+/g, ' ').replace(/ \\([^)]*\\)$/, '');
-    const called = (control) => plain(control.ariaLabel ?? control.innerText);
+    const said = (control) => {
+        const copy = control.cloneNode(true);
+        copy.querySelectorAll('[aria-hidden=true]').forEach((mute) => mute.remove());
+        return copy.textContent;
+    };
+    const called = (control) => plain(control.ariaLabel ?? said(control));
     const open = document.querySelector('dialog[open]') ?? document;
     const controls = [...open.querySelectorAll('button, a[href], summary, [role=button], [role=menuitem]')];
     return controls.find((control) => control.checkVisibility() && called(control) === name);
@@ -158,17 +165,28 @@ impl Page {
         self.touch_drag(&[&[place_of(&place, name)?]]).await
     }
 
-    /// Moves fingers along places: each finger along its own, as many steps as the first has.
+    /// Moves fingers along places: each finger along its own, as many steps as the first has. They rest before
+    /// they are lifted: a finger that leaves in full swing throws the page, and what it throws swallows the next tap.
     ///
     /// # Errors
     /// If the browser refuses.
     pub async fn touch_drag(&self, fingers: &[&[Place]]) -> Result<()> {
+        const FRAME_S: f64 = 0.016;
+        const REST_S: f64 = 0.2;
         let steps = fingers.first().map_or(0, |places| places.len());
+        let mut time = SystemTime::now().duration_since(UNIX_EPOCH)?.as_secs_f64() - REST_S;
+        time -= FRAME_S * steps as f64;
+        let at = |step: usize| fingers.iter().filter_map(move |places| places.get(step).copied());
         for step in 0..steps {
             let kind = if step == 0 { "touchStart" } else { "touchMove" };
-            self.touch(kind, fingers.iter().filter_map(|places| places.get(step).copied())).await?;
+            time += FRAME_S;
+            self.touch(kind, time, at(step)).await?;
         }
-        self.touch("touchEnd", []).await
+        if steps > 1 {
+            time += REST_S;
+            self.touch("touchMove", time, at(steps - 1)).await?;
+        }
+        self.touch("touchEnd", time, []).await
     }
 
     /// Two fingers on both sides of a place move apart, or together, from one distance to another.
@@ -182,10 +200,15 @@ impl Page {
         self.touch_drag(&[&left, &right]).await
     }
 
-    async fn touch(&self, kind: &str, fingers: impl IntoIterator<Item = Place>) -> Result<()> {
+    async fn touch(&self, kind: &str, time: f64, fingers: impl IntoIterator<Item = Place>) -> Result<()> {
         let point = |(id, (x, y)): (usize, Place)| json!({ "x": x, "y": y, "id": id });
         let points: Vec<Value> = fingers.into_iter().enumerate().map(point).collect();
-        self.tools("Input.dispatchTouchEvent", json!({ "type": kind, "touchPoints": points })).await.map(drop)
+        self.tools(
+            "Input.dispatchTouchEvent",
+            json!({ "type": kind, "touchPoints": points, "timestamp": time }),
+        )
+        .await
+        .map(drop)
     }
 
     async fn act(&self, actions: Value) -> Result<()> {

@@ -133,13 +133,14 @@ impl Page {
         bail!("it never happened that {expression}\nThe page says:\n{text}")
     }
 
-    /// Waits until an element's text contains words.
+    /// Waits until an element's text contains words, whatever letters the style makes capital.
     ///
     /// # Errors
     /// If it never does.
     pub async fn wait_for_text(&self, css: &str, words: &str) -> Result<()> {
-        let (css, words) = (json!(css), json!(words));
-        self.wait_until(&format!("document.querySelector({css})?.innerText.includes({words})")).await
+        let (css, words) = (json!(css), json!(words.to_lowercase()));
+        self.wait_until(&format!("document.querySelector({css})?.innerText.toLowerCase().includes({words})"))
+            .await
     }
 
     /// Waits until an element is there.

@@ -198,6 +198,8 @@ impl Session {
         if setup.touch {
             let touch = json!({ "enabled": true, "maxTouchPoints": 5 });
             self.tools("Emulation.setTouchEmulationEnabled", touch).await?;
+            // What is touched has scroll bars that take no room.
+            self.tools("Emulation.setScrollbarsHidden", json!({ "hidden": true })).await?;
         }
         for script in &setup.scripts {
             self.tools("Page.addScriptToEvaluateOnNewDocument", json!({ "source": script })).await?;

@@ -63,11 +63,11 @@ async fn a_good_file_is_opened_by_drop_and_paste() -> Result<()> {
     const MAZE: &str = "line-maze: 1\ntitle: Dropped\n\n+---F\n|    \n^   .\n";
     lab(Setup::default(), async |page| {
         page.drop_file("dropped.maze", MAZE.as_bytes()).await?;
-        page.wait_for_text(".stage > .bar", "Dropped").await?;
+        page.wait_for_text(".stage .bar", "Dropped").await?;
         page.press("Control+z").await?;
-        page.wait_for_text(".stage > .bar", "The run of the book").await?;
+        page.wait_for_text(".stage .bar", "The run of the book").await?;
         page.paste(MAZE).await?;
-        page.wait_for_text(".stage > .bar", "Dropped").await?;
+        page.wait_for_text(".stage .bar", "Dropped").await?;
         page.press("End").await?;
         page.wait_for_text("#said", "FINISH").await
     })
