@@ -1,6 +1,6 @@
 //! The drawing's frame: pointers and keys go in, the hand's edits come out.
 
-use crate::web::erase::{key, mouse, part, pointer, sig, wheel};
+use crate::web::erase::{focus, key, mouse, part, pointer, sig, wheel};
 use leptos::prelude::*;
 use web_sys::{PointerEvent, WheelEvent};
 
@@ -15,6 +15,8 @@ use crate::web::paths::UNIT;
 #[component]
 pub fn Canvas() -> impl IntoView {
     let desk = desk();
+    // A pointer's focus needs no ring.
+    let held = RwSignal::new(false);
     let label = move || {
         let bounds = desk.lab.maze.with(|maze| maze.bounds());
         format!(
@@ -33,9 +35,20 @@ pub fn Canvas() -> impl IntoView {
             aria-label=label
             aria-describedby="draw-status"
             data-tool=sig(move || format!("{:?}", desk.held_tool()).to_lowercase())
+            class:held=sig(move || held.get())
+            on:blur=focus(move |_| {
+                held.set(false);
+                desk.by_keyboard.set(false);
+            })
             class:panning=sig(move || desk.doing.with(|doing| *doing == Doing::Pan))
-            on:keydown=key(move |event| keyboard::on_canvas(desk, &event))
-            on:pointerdown=pointer(move |event| press(desk, &event))
+            on:keydown=key(move |event| {
+                held.set(false);
+                keyboard::on_canvas(desk, &event);
+            })
+            on:pointerdown=pointer(move |event| {
+                press(desk, &event);
+                held.set(true);
+            })
             on:pointermove=pointer(move |event| drag(desk, &event))
             on:pointerup=pointer(move |event| release(desk, event.pointer_id()))
             on:pointercancel=pointer(move |event| desk.hand.update(|hand| hand.lose(event.pointer_id())))

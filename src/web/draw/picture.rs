@@ -17,7 +17,7 @@ pub const HANDLE_ARM: f64 = 40.0;
 /// How much larger the start's marker is drawn, so that a finger can take its handle.
 #[must_use]
 pub fn marker_scale(pixel: f64) -> f64 {
-    (0.8 * pixel).max(1.0)
+    (0.65 * pixel).max(1.0)
 }
 
 /// The picture.
@@ -32,8 +32,8 @@ pub fn Picture() -> impl IntoView {
                 </pattern>
             </defs>
             <Paper />
-            <Axes />
             <Tape />
+            <Axes />
             <Shown />
             <Finish />
             <StartMarker />
