@@ -8,7 +8,10 @@ use serde_json::{Value, json};
 pub(crate) const STOPS: u32 = 25;
 
 /// Kind of stop, node, place, case, way out, `ptr`, `returning`, and cells crossed out when the stop is over.
-const STOPS_TABLE: [(&str, &str, (i32, i32), &str, &str, u32, bool, u32); 26] = [
+type Stop = (&'static str, &'static str, (i32, i32), &'static str, &'static str, u32, bool, u32);
+
+/// The start and every stop.
+const STOPS_TABLE: [Stop; 26] = [
     ("start", "", (0, 0), "START", "0", 1, false, 0),
     ("node", "1", (0, 1), "NEW NODE", "0", 2, false, 0),
     ("node", "2", (0, 3), "NEW NODE", "0", 3, false, 0),
