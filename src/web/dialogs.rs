@@ -15,7 +15,7 @@ mod share;
 #[component]
 pub fn Dialogs() -> impl IntoView {
     let lab = lab();
-    move || {
+    part(move || {
         lab.dialog.get().map(|dialog| match dialog {
             Dialog::Keys => view! { <books::Keys /> }.into_any(),
             Dialog::Glossary(name) => view! { <books::Glossary at=name /> }.into_any(),
@@ -24,7 +24,7 @@ pub fn Dialogs() -> impl IntoView {
             Dialog::Share => view! { <share::Share /> }.into_any(),
             other => super::draw::dialog(other),
         })
-    }
+    })
 }
 
 /// How wide a dialog is.

@@ -1,6 +1,6 @@
 //! Notes at the head of a room: what the user should know before going on.
 
-use crate::web::erase::mouse;
+use crate::web::erase::{mouse, part};
 use leptos::prelude::*;
 
 use super::icons;
@@ -11,7 +11,7 @@ use super::state::{Dialog, lab};
 pub fn BrokenLink() -> impl IntoView {
     let lab = lab();
     let keep = move |_| lab.broken_link.set(None);
-    move || {
+    part(move || {
         lab.broken_link.get().map(|why| {
             view! {
                 <div class="note warn" role="alert">
@@ -27,14 +27,14 @@ pub fn BrokenLink() -> impl IntoView {
                 </div>
             }
         })
-    }
+    })
 }
 
 /// The browser keeps nothing: the drawing would be gone with the page.
 #[component]
 pub fn NotKept() -> impl IntoView {
     let lab = lab();
-    move || {
+    part(move || {
         lab.not_kept.get().then(|| {
             view! {
                 <div class="note warn" role="status">
@@ -49,5 +49,5 @@ pub fn NotKept() -> impl IntoView {
                 </div>
             }
         })
-    }
+    })
 }

@@ -1,6 +1,6 @@
 //! What is on the paper: points, line, start, finish, what a hand is doing, and what a check points to.
 
-use crate::web::erase::sig;
+use crate::web::erase::{part, sig};
 use leptos::prelude::*;
 
 use super::desk::{Desk, desk, many};
@@ -60,11 +60,11 @@ fn Paper() -> impl IntoView {
     let bounds = Memo::new(move |_| desk.lab.maze.with(|maze| maze.bounds()));
     // Points nearer than this to each other would only be grey.
     let dotted = Memo::new(move |_| desk.camera.view().scale >= 7.0);
-    move || {
+    part(move || {
         let [x, y, w, h] = frame(bounds.get(), UNIT / 2);
         let fill = if dotted.get() { "url(#draw-dots)" } else { "none" };
         view! { <rect class="paper-edge" x=x y=y width=w height=h rx="18" fill=fill /> }
-    }
+    })
 }
 
 /// Numbers along the lower and the left edge; they stay in the picture.
@@ -126,10 +126,10 @@ fn Finish() -> impl IntoView {
         Doing::Finish(points) => points,
         _ => desk.lab.maze.with(|maze| maze.finish().to_vec()),
     });
-    move || {
+    part(move || {
         let pixel = desk.camera.pixel();
         points.get().into_iter().enumerate().map(|(i, at)| finish_mark(at, i == 0, pixel)).collect_view()
-    }
+    })
 }
 
 /// The start with the handle that turns it.
@@ -173,14 +173,14 @@ fn StartMarker() -> impl IntoView {
             {label}
         }
     };
-    move || start.get().map(mark)
+    part(move || start.get().map(mark))
 }
 
 /// What the hand is doing: a line under way, or cells that will go.
 #[component]
 fn Preview() -> impl IntoView {
     let desk = desk();
-    move || {
+    part(move || {
         desk.doing.with(|doing| match doing {
             Doing::Line(path) => Some(line(desk, path).into_any()),
             Doing::Erase(cells) => Some(erasing(cells).into_any()),
@@ -191,7 +191,7 @@ fn Preview() -> impl IntoView {
             | Doing::Pinch
             | Doing::LetGo => None,
         })
-    }
+    })
 }
 
 /// The line that is under way: dashed, with rings at its ends and its length.
@@ -252,7 +252,7 @@ fn Shown() -> impl IntoView {
             </g>
         })
     };
-    move || desk.shown.get().and_then(mark)
+    part(move || desk.shown.get().and_then(mark))
 }
 
 /// A finding in a word or two, for the drawing.
@@ -284,5 +284,5 @@ fn Cursor() -> impl IntoView {
             </g>
         }
     };
-    move || desk.by_keyboard.get().then_some(ring)
+    part(move || desk.by_keyboard.get().then_some(ring))
 }

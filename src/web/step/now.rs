@@ -37,7 +37,7 @@ pub enum Length {
 pub fn Said(length: Length) -> impl IntoView {
     let lab = lab();
     let told = narration();
-    move || match lab.round.get() {
+    part(move || match lab.round.get() {
         Round::Solved => view! { <SaidSolved /> }.into_any(),
         Round::Explore => told
             .get()
@@ -50,7 +50,7 @@ pub fn Said(length: Length) -> impl IntoView {
                 }
             })
             .into_any(),
-    }
+    })
 }
 
 const fn tone(tone: Tone) -> &'static str {
@@ -92,7 +92,7 @@ fn piece(span: Span) -> impl IntoView {
 #[component]
 fn SaidSolved() -> impl IntoView {
     let lab = lab();
-    move || {
+    part(move || {
         let stop = lab.solved.with(|playback| playback.moment().stop);
         lab.run.with(|run| {
             let drive = run.as_ref().ok()?.drive.as_ref()?;
@@ -109,7 +109,7 @@ fn SaidSolved() -> impl IntoView {
             };
             Some(view! { <span class=class>{case}</span> <p>{text}</p> })
         })
-    }
+    })
 }
 
 const fn goes(turn: Turn) -> &'static str {
@@ -159,7 +159,7 @@ fn Errata() -> impl IntoView {
     let titles =
         move || notes.with(|notes| notes.iter().map(|note| note.0.title).collect::<Vec<_>>().join(" · "));
     let open = RwSignal::new(false);
-    move || {
+    part(move || {
         notes.with(|notes| !notes.is_empty()).then(|| view! {
         <details class="errata-notes" prop:open=open.get_untracked() on:toggle=event(move |event| {
             open.set(event.target().is_some_and(|details| details.unchecked_into::<web_sys::Element>().has_attribute("open")));
@@ -174,7 +174,7 @@ fn Errata() -> impl IntoView {
             <div class="row"><button class="btn" on:click=mouse(move |_| lab.dialog.set(Some(Dialog::Errata)))>"All errata"</button></div>
         </details>
     })
-    }
+    })
 }
 
 /// An erratum, the same as itself.

@@ -17,7 +17,7 @@ fn with_run<T>(lab: Lab, of: impl FnOnce(&Run) -> Option<T>) -> Option<T> {
 pub fn ResultCard() -> impl IntoView {
     let lab = lab();
     let c_array = RwSignal::new(false);
-    move || {
+    part(move || {
         with_run(lab, |run| {
             let list = run.list.clone()?;
             let letters = list.to_string();
@@ -51,7 +51,7 @@ pub fn ResultCard() -> impl IntoView {
                 </div>
             })
         })
-    }
+    })
 }
 
 fn title(maze: &Maze) -> String {
@@ -79,7 +79,7 @@ fn Letters() -> impl IntoView {
             legs[..(stop as usize).min(legs.len())].iter().rev().find_map(|leg| leg.letter)
         })
     };
-    move || {
+    part(move || {
         let letters = letters();
         if letters.is_empty() {
             return view! { <p class="small">"The turn list is empty: there is no node on the route, and corners need no letter."</p> }.into_any();
@@ -95,14 +95,14 @@ fn Letters() -> impl IntoView {
             </ol>
         }
         .into_any()
-    }
+    })
 }
 
 /// Lengths and their ratio.
 #[component]
 fn Facts() -> impl IntoView {
     let lab = lab();
-    move || {
+    part(move || {
         with_run(lab, |run| {
             let ratio = run.ratio()?;
             let judged = if run.route_cells()? == run.shortest? {
@@ -122,7 +122,7 @@ fn Facts() -> impl IntoView {
                 </dl>
             })
         })
-    }
+    })
 }
 
 /// The card of round 2.

@@ -127,7 +127,7 @@ fn Floor() -> impl IntoView {
         view! { <rect x=at(bounds.sw().x) - UNIT / 2 y=-at(bounds.ne().y) - UNIT / 2 width=w height=h fill="url(#dots)" /> }
     })
     };
-    move || (!lab.robots_eye.get()).then(rect)
+    part(move || (!lab.robots_eye.get()).then(rect))
 }
 
 /// The line: all of it, or what the robot has seen.
@@ -233,7 +233,7 @@ fn Ends(camera: Camera) -> impl IntoView {
         !lab.robots_eye.get()
             || with_run(lab, |run| run.solved() && run.ink.place(lab.moment.get().stop) == at)
     };
-    move || {
+    part(move || {
         let pixel = camera.pixel();
         lab.maze.with(|maze: &super::super::run_view::Same<Maze>| {
             let finish: Vec<Point> = maze.finish().iter().copied().filter(|&at| known(at)).collect();
@@ -246,7 +246,7 @@ fn Ends(camera: Camera) -> impl IntoView {
                 {start}
             }
         })
-    }
+    })
 }
 
 /// The remembered nodes.

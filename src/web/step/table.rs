@@ -97,12 +97,12 @@ fn rows(lab: Lab, (first, last): (u32, u32)) -> Vec<Row> {
 /// Rows that are not made.
 #[component]
 fn Gap(rows: Signal<u32>) -> impl IntoView {
-    move || {
+    part(move || {
         (rows.get() > 0).then(|| {
             let height = format!("{}px", f64::from(rows.get()) * ROW);
             view! { <tr class="gap" aria-hidden="true"><td colspan="4" style:height=height></td></tr> }
         })
-    }
+    })
 }
 
 /// A name that leads to the glossary.
