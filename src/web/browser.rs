@@ -83,6 +83,13 @@ pub fn replace_hash(hash: &str) {
     }
 }
 
+/// Takes the keyboard's focus away from a list once something is chosen, so that Space plays again.
+pub fn let_go(event: &web_sys::Event) {
+    if let Some(element) = event.target().and_then(|target| target.dyn_into::<web_sys::HtmlElement>().ok()) {
+        let _ = element.blur();
+    }
+}
+
 /// Moves the keyboard's focus to an element.
 pub fn focus(id: &str) {
     if let Some(element) = document().get_element_by_id(id) {

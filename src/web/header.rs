@@ -58,8 +58,8 @@ fn OrderButton() -> impl IntoView {
     view! {
         <button class="btn" title="Preference order, epsilon, NODE_MAX (O)" on:click=mouse(move |_| lab.dialog.set(Some(Dialog::Settings)))>
             {icons::settings()}
-            <span class="vh">"Settings of the run: "</span>
-            <span class="hide-s">{order}</span>
+            <span class="vh">"Settings of the run: "{order}</span>
+            <span class="hide-s" aria-hidden="true">{order}</span>
         </button>
     }
 }

@@ -6,8 +6,8 @@ use leptos::prelude::*;
 
 use crate::playback::{Command, Mark, SPEEDS, Timeline, Unit};
 use crate::trace::Moment;
-use crate::web::icons;
 use crate::web::state::{Lab, Round, lab};
+use crate::web::{browser, icons};
 
 /// The whole bar.
 #[component]
@@ -242,6 +242,7 @@ fn EventPicker() -> impl IntoView {
     let lab = lab();
     let kind = RwSignal::new(None::<Mark>);
     let choose = move |event: web_sys::Event| {
+        browser::let_go(&event);
         let index: usize = event_target_value(&event).parse().unwrap_or(0);
         kind.set(index.checked_sub(1).and_then(|index| Mark::NAMED.get(index)).map(|(mark, _)| *mark));
     };
@@ -278,6 +279,7 @@ fn UnitPicker() -> impl IntoView {
 fn SpeedPicker() -> impl IntoView {
     let lab = lab();
     let choose = move |event: web_sys::Event| {
+        browser::let_go(&event);
         if let Ok(speed) = event_target_value(&event).parse() {
             lab.play(Command::Speed(speed));
         }
