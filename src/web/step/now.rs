@@ -45,7 +45,7 @@ pub fn Said(length: Length) -> impl IntoView {
                 let spans = if length == Length::Full { told.said } else { told.short };
                 view! {
                     <span class=tone(told.tone)>{told.case}</span>
-                    <p>{spans.into_iter().map(|span| piece(span)).collect_view()}</p>
+                    <p>{spans.into_iter().map(piece).collect_view()}</p>
                     {(length == Length::Full).then(|| view! { <p class="ref">{told.section}</p> })}
                 }
             })
