@@ -78,24 +78,3 @@ pub fn line(points: impl IntoIterator<Item = Point>) -> String {
     }
     data
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn cells_in_a_row_are_one_stroke() {
-        let corners = (Point::new(0, 0), Point::new(3, 1));
-        let row = cells(corners, |at, heading| heading == Heading::East && at.y == 1 && at.x != 1);
-        assert_eq!(row, "M0 -80H80M160 -80H320");
-        let column = cells(corners, |at, heading| heading == Heading::North && at.x == 2);
-        assert_eq!(column, "M160 0V-160");
-    }
-
-    #[test]
-    fn tiles_cover_the_lattice_once() {
-        let bounds = Bounds::new(Point::new(-7, 3), Point::new(45, 30)).unwrap();
-        let covered: i32 = tiles(bounds).iter().map(|(a, b)| (b.x - a.x + 1) * (b.y - a.y + 1)).sum();
-        assert_eq!(covered as usize, bounds.len());
-    }
-}

@@ -8,13 +8,17 @@ use web_sys::{CustomEvent, CustomEventInit};
 pub fn catch_panics() {
     std::panic::set_hook(Box::new(|panic| {
         console_error_panic_hook::hook(panic);
-        let report = format!("{panic} · version {}", env!("CARGO_PKG_VERSION"));
-        let detail = CustomEventInit::new();
-        detail.set_detail(&JsValue::from_str(&report));
-        if let Ok(event) = CustomEvent::new_with_event_init_dict("linemaze:panic", &detail) {
-            let _ = window().dispatch_event(&event);
-        }
+        tell(&panic.to_string());
     }));
+}
+
+/// Shows the rescue screen with this report.
+pub fn tell(report: &str) {
+    let detail = CustomEventInit::new();
+    detail.set_detail(&JsValue::from_str(report));
+    if let Ok(event) = CustomEvent::new_with_event_init_dict("linemaze:panic", &detail) {
+        let _ = window().dispatch_event(&event);
+    }
 }
 
 /// Takes away what was shown while the page was loading.
