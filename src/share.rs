@@ -272,7 +272,7 @@ impl fmt::Display for ShareError {
         match *self {
             Self::TooBig { characters } => write!(
                 f,
-                "A link holds at most {} characters, and this one would need {}. Save the maze as a file instead.",
+                "A link holds at most {} characters, and this one would need {}. Pass the maze on as a file instead.",
                 Grouped(MAX_LINK),
                 Grouped(characters)
             ),

@@ -138,7 +138,7 @@ fn errors_say_what_to_do() {
     );
     assert_eq!(
         ShareError::TooBig { characters: 1_333_512 }.to_string(),
-        "A link holds at most 8,000 characters, and this one would need 1,333,512. Save the maze as a file instead."
+        "A link holds at most 8,000 characters, and this one would need 1,333,512. Pass the maze on as a file instead."
     );
 }
 
