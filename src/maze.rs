@@ -21,7 +21,7 @@ pub mod svg;
 pub mod text;
 
 pub use bounds::{Bounds, BoundsError, MAX_COORDINATE, MAX_SIDE};
-pub use scale::{Scale, ScaleError};
+pub use scale::{Scale, ScaleError, millimetres};
 
 /// How a maze is drawn. The lattice underneath is the same: an open side between two squares of a walled
 /// maze is a line between two points.

@@ -2,7 +2,7 @@
 
 use super::error::{ParseError, Place, Problem};
 use crate::geometry::{Heading, Point};
-use crate::maze::{BoundsError, MAX_COORDINATE};
+use crate::maze::{BoundsError, MAX_COORDINATE, millimetres};
 
 /// Part of a line.
 #[derive(Clone, Copy)]
@@ -81,9 +81,7 @@ impl<'a> Field<'a> {
 
     /// A length such as `19.5`.
     pub(super) fn millimetres(self) -> Result<f64, ParseError> {
-        let plain = self.text.bytes().all(|byte| byte.is_ascii_digit() || byte == b'.');
-        let length = if plain { self.text.parse().ok() } else { None };
-        length.ok_or_else(|| self.expected("a length in millimetres such as 180 or 19.5"))
+        millimetres(self.text).ok_or_else(|| self.expected("a length in millimetres such as 180 or 19.5"))
     }
 }
 

@@ -115,7 +115,7 @@ fn Tape() -> impl IntoView {
         });
         view! { <path class="tape" d=sig(move || data.get()) /> }
     };
-    view! { <For each=move || paths::tiles(bounds.get()) key=|corners| *corners children=tile /> }
+    part(move || paths::tiles(bounds.get()).into_iter().map(tile).collect_view())
 }
 
 /// The finish points.

@@ -6,7 +6,7 @@ use leptos::prelude::*;
 use super::desk::{desk, many};
 use crate::event::Outcome;
 use crate::maze::edit::Edit;
-use crate::maze::{Kind, Scale};
+use crate::maze::{Kind, Scale, millimetres};
 use crate::web::app::go;
 use crate::web::dialogs::settings::NumberField;
 use crate::web::icons;
@@ -22,7 +22,7 @@ pub fn Floor() -> impl IntoView {
     let set = move |scale| {
         lab.edit(Edit::Scale(scale));
     };
-    let number = |text: &str| text.replace(',', ".").parse::<f64>().ok();
+    let number = |text: &str| millimetres(&text.replace(',', "."));
     let kind = Memo::new(move |_| lab.maze.with(|maze| maze.kind));
     let choice = move |of: Kind, name: &'static str| {
         view! {

@@ -10,16 +10,13 @@ use crate::explorer::book::errata::{self, Erratum, Kind};
 use crate::explorer::book::narrate::{Narration, Span, Tone, narrate};
 use crate::geometry::Turn;
 use crate::trace::{Frame, State};
-use crate::web::state::{Dialog, Round, lab};
+use crate::web::state::{Dialog, Lab, Round, lab};
 
 /// What is told at the moment that is shown.
-fn narration() -> Memo<Option<Narration>> {
-    let lab = lab();
-    Memo::new(move |_| {
-        lab.run.with(|run| {
-            let run = run.as_ref().ok()?;
-            lab.frame.with(|frame| Some(narrate(&run.trace, frame.as_ref()?)))
-        })
+fn narration(lab: Lab) -> Option<Narration> {
+    lab.run.with(|run| {
+        let run = run.as_ref().ok()?;
+        lab.frame.with(|frame| Some(narrate(&run.trace, frame.as_ref()?)))
     })
 }
 
@@ -36,11 +33,9 @@ pub enum Length {
 #[component]
 pub fn Said(length: Length) -> impl IntoView {
     let lab = lab();
-    let told = narration();
     part(move || match lab.round.get() {
         Round::Solved => view! { <SaidSolved /> }.into_any(),
-        Round::Explore => told
-            .get()
+        Round::Explore => narration(lab)
             .map(|told| {
                 let spans = if length == Length::Full { told.said } else { told.short };
                 view! {
@@ -168,9 +163,7 @@ fn Errata() -> impl IntoView {
                 <span class="mark info">{crate::web::icons::book()}</span>
                 <span>{titles}</span>
             </summary>
-            <For each=move || notes.get() key=|note| note.0.title let:note>
-                <ErratumNote erratum=note.0 />
-            </For>
+            {part(move || notes.get().into_iter().map(|note| view! { <ErratumNote erratum=note.0 /> }).collect_view())}
             <div class="row"><button class="btn" on:click=mouse(move |_| lab.dialog.set(Some(Dialog::Errata)))>"All errata"</button></div>
         </details>
     })

@@ -259,11 +259,14 @@ fn Nodes(camera: Camera) -> impl IntoView {
     });
     let here = Memo::new(move |_| lab.frame.with(|frame| frame.as_ref().map_or(0, |frame| frame.node)));
     let numbered = move || camera.view().scale >= 16.0 && nodes.with(Vec::len) <= NUMBERED;
-    view! {
-        <For each=move || nodes.get() key=|node| (node.number, node.at) let:node>
-            <NodeDisc node=node here=here numbered=Signal::derive(numbered) />
-        </For>
-    }
+    let numbered = Signal::derive(numbered);
+    part(move || {
+        nodes
+            .get()
+            .into_iter()
+            .map(|node| view! { <NodeDisc node=node here=here numbered=numbered /> })
+            .collect_view()
+    })
 }
 
 #[component]

@@ -7,7 +7,7 @@ use leptos::prelude::*;
 use super::look_up;
 use crate::geometry::Heading;
 use crate::playback::{Command, Mark};
-use crate::trace::{Row, WayState};
+use crate::trace::WayState;
 use crate::web::state::{Lab, lab};
 
 /// The height of a row in pixels; the style sheet says the same.
@@ -49,9 +49,10 @@ pub fn NodeTable() -> impl IntoView {
                             </tr></thead>
                             <tbody>
                                 <Gap rows=Signal::derive(move || range.get().0 - 1) />
-                                <For each=move || rows(lab, range.get()) key=|row| row.number let:row>
-                                    <NodeRow number=row.number />
-                                </For>
+                                {part(move || {
+                                    let (first, last) = range.get();
+                                    (first.max(1)..=last).map(|number| view! { <NodeRow number=number /> }).collect_view()
+                                })}
                                 <Gap rows=Signal::derive(move || (ptr.get() - 1).saturating_sub(range.get().1)) />
                             </tbody>
                         </table>
@@ -85,13 +86,6 @@ fn keep_in_sight(lab: Lab, scroller: NodeRef<html::Div>) {
             }
         }
     });
-}
-
-fn rows(lab: Lab, (first, last): (u32, u32)) -> Vec<Row> {
-    lab.run.with(|run| {
-        let Ok(run) = run else { return Vec::new() };
-        (first.max(1)..=last).filter_map(|m| run.trace.row(lab.moment.get(), m)).collect()
-    })
 }
 
 /// Rows that are not made.

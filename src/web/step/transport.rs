@@ -280,7 +280,8 @@ fn SpeedPicker() -> impl IntoView {
     let lab = lab();
     let choose = move |event: web_sys::Event| {
         browser::let_go(&event);
-        if let Ok(speed) = event_target_value(&event).parse() {
+        let value = event_target_value(&event);
+        if let Some(speed) = SPEEDS.into_iter().find(|speed| speed.to_string() == value) {
             lab.play(Command::Speed(speed));
         }
     };
