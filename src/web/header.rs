@@ -1,6 +1,6 @@
 //! The head of the page: rooms, and what concerns all of them.
 
-use crate::web::erase::{mouse, part};
+use crate::web::erase::{mouse, part, sig};
 use leptos::prelude::*;
 
 use super::icons;
@@ -56,10 +56,9 @@ fn OrderButton() -> impl IntoView {
         Order::Random(seed) => format!("random {seed}"),
     };
     view! {
-        <button class="btn" title="Preference order, epsilon, NODE_MAX (O)" on:click=mouse(move |_| lab.dialog.set(Some(Dialog::Settings)))>
+        <button class="btn" aria-label=sig(move || format!("Settings of the run: {}", order())) title="Preference order, epsilon, NODE_MAX (O)" on:click=mouse(move |_| lab.dialog.set(Some(Dialog::Settings)))>
             {icons::settings()}
-            <span class="vh">"Settings of the run: "{order}</span>
-            <span class="hide-s" aria-hidden="true">{order}</span>
+            <span class="hide-s">{order}</span>
         </button>
     }
 }
