@@ -9,8 +9,8 @@ use crate::dist;
 
 /// A first visit fetches every file of the page: the service worker keeps all of them. This is what the page
 /// weighs now; it may get lighter, not heavier. Lower the numbers with it until they meet the goals.
-const ALL: usize = 340_000;
-const WASM: usize = 314_000;
+const ALL: usize = 315_000;
+const WASM: usize = 290_000;
 /// What a first visit may weigh in the end.
 const GOAL_ALL: usize = 250_000;
 const GOAL_WASM: usize = 200_000;
