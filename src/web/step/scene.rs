@@ -3,6 +3,7 @@
 use crate::web::erase::{part, pointer, sig, wheel};
 use leptos::html;
 use leptos::prelude::*;
+use wasm_bindgen::JsCast;
 
 use crate::geometry::{Heading, Point};
 use crate::ink::CellState;
@@ -249,7 +250,8 @@ fn Ends(camera: Camera) -> impl IntoView {
     })
 }
 
-/// The remembered nodes.
+/// The remembered nodes. A long run has hundreds, and every stop may change them: they are one piece of
+/// markup (numbers only), and a ring of its own shows the one that is pointed at.
 #[component]
 fn Nodes(camera: Camera) -> impl IntoView {
     let lab = lab();
@@ -257,36 +259,41 @@ fn Nodes(camera: Camera) -> impl IntoView {
         Round::Explore => with_run(lab, |run| scene::nodes(&run.trace, &run.ink, lab.moment.get())),
         Round::Solved => with_run(lab, |run| scene::nodes(&run.trace, &run.ink, run.trace.end())),
     });
-    let here = Memo::new(move |_| lab.frame.with(|frame| frame.as_ref().map_or(0, |frame| frame.node)));
-    let numbered = move || camera.view().scale >= 16.0 && nodes.with(Vec::len) <= NUMBERED;
-    let numbered = Signal::derive(numbered);
-    part(move || {
-        nodes
-            .get()
-            .into_iter()
-            .map(|node| view! { <NodeDisc node=node here=here numbered=numbered /> })
-            .collect_view()
-    })
-}
-
-#[component]
-fn NodeDisc(node: NodeMark, here: Memo<u32>, numbered: Signal<bool>) -> impl IntoView {
-    let lab = lab();
-    let number = node.number;
+    let here = move || lab.frame.with(|frame| frame.as_ref().map_or(0, |frame| frame.node));
+    let numbered = Memo::new(move |_| camera.view().scale >= 16.0);
+    let markup = move || nodes.with(|nodes| discs(nodes, here(), numbered.get() && nodes.len() <= NUMBERED));
+    let lit = move || {
+        let number = lab.lit.get()?;
+        nodes.with(|nodes| nodes.iter().find(|node| node.number == number).copied())
+    };
     view! {
         <g
-            class="node"
-            class:lit=sig(move || lab.lit.get() == Some(number))
-            class:here=sig(move || here.get() == number)
-            data-node=number
-            transform=format!("translate({} {})", node.at.x * UNIT, -node.at.y * UNIT)
-            on:pointerenter=pointer(move |_| lab.lit.set(Some(number)))
-            on:pointerleave=pointer(move |_| lab.lit.set(None))
-        >
-            <circle class="disc" r="17" />
-            {part(move || numbered.get().then(|| view! { <text y="6">{number}</text> }))}
-        </g>
+            inner_html=sig(markup)
+            on:pointerover=pointer(move |event| lab.lit.set(pointed_at(&event)))
+            on:pointerout=pointer(move |_| lab.lit.set(None))
+        ></g>
+        {part(move || lit().map(|node| view! { <circle class="ring lit" data-node=node.number cx=node.at.x * UNIT cy=-node.at.y * UNIT r="20" /> }))}
     }
+}
+
+/// The nodes' discs as SVG markup.
+fn discs(nodes: &[NodeMark], here: u32, numbered: bool) -> String {
+    let mut markup = String::new();
+    for NodeMark { number, at } in nodes {
+        let class = if *number == here { "node here" } else { "node" };
+        let text = if numbered { format!("<text y=\"6\">{number}</text>") } else { String::new() };
+        let (x, y) = (at.x * UNIT, -at.y * UNIT);
+        markup.push_str(&format!(
+            "<g class=\"{class}\" data-node=\"{number}\" transform=\"translate({x} {y})\"><circle class=\"disc\" r=\"17\"/>{text}</g>"
+        ));
+    }
+    markup
+}
+
+/// The node under the pointer.
+fn pointed_at(event: &web_sys::PointerEvent) -> Option<u32> {
+    let element = event.target()?.dyn_into::<web_sys::Element>().ok()?;
+    element.closest("[data-node]").ok()??.get_attribute("data-node")?.parse().ok()
 }
 
 /// The picture in words.

@@ -345,7 +345,7 @@ async fn rows_and_nodes_light_each_other() -> Result<()> {
         page.press_times("PageDown", 12).await?;
         let row = page.middle(".nodes tr[data-node='3']").await?;
         page.point_at(row).await?;
-        page.wait_for(".maze .node.lit[data-node='3']").await?;
+        page.wait_for(".maze .ring.lit[data-node='3']").await?;
         let node = page.middle(".maze .node[data-node='2']").await?;
         page.point_at(node).await?;
         page.wait_for(".nodes tr.lit[data-node='2']").await?;
