@@ -73,7 +73,7 @@ pub fn Stage() -> impl IntoView {
             >
                 <Defs />
                 <Floor />
-                <path class="tape" d=sig(move || tape(lab, stop.get())) />
+                <path class="tape" d=sig(move || tape(lab, stop)) />
                 {part(move || (lab.round.get() == Round::Explore).then(|| view! {
                     <path class="remembered" d=sig(move || drawn.with(|d| d.remembered.clone())) />
                     <path class="given-up" d=sig(move || drawn.with(|d| d.given_up.clone())) />
@@ -131,8 +131,8 @@ fn Floor() -> impl IntoView {
     part(move || (!lab.robots_eye.get()).then(rect))
 }
 
-/// The line: all of it, or what the robot has seen.
-fn tape(lab: Lab, stop: u32) -> String {
+/// The line: all of it, or what the robot has seen. Only the latter changes from stop to stop.
+fn tape(lab: Lab, stop: Memo<u32>) -> String {
     if !lab.robots_eye.get() {
         return lab.maze.with(|maze| {
             let bounds = maze.bounds();
@@ -141,7 +141,7 @@ fn tape(lab: Lab, stop: u32) -> String {
     }
     with_run(lab, |run| {
         let bounds = run.maze.bounds();
-        let stop = if lab.round.get() == Round::Solved { run.trace.stops() } else { stop };
+        let stop = if lab.round.get() == Round::Solved { run.trace.stops() } else { stop.get() };
         let driven = |at, heading| run.ink.cell((at, heading), stop) != CellState::Clean;
         let mut data = paths::cells((bounds.sw(), bounds.ne()), driven);
         for (at, ways) in scene::seen_points(&run.maze, &run.ink, stop) {
