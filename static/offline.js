@@ -38,6 +38,7 @@
     waiting.postMessage({ type: "use-new-version" });
   });
 
-  // Keeping a copy is a comfort: a browser that refuses, as private windows do, shows the page all the same.
-  start().catch(() => {});
+  // Keeping a copy is a comfort: a browser that refuses, as private windows do, shows the page all the same. It
+  // begins when the page is there, so as not to hold it up.
+  addEventListener("TrunkApplicationStarted", () => start().catch(() => {}), { once: true });
 })();

@@ -7,12 +7,11 @@ use wasm_bindgen::prelude::*;
 
 use super::header::Header;
 use super::projector::Projector;
-use super::state::{Lab, Room, ToastTone};
+use super::state::{Lab, Room};
 use super::step::StepRoom;
-use super::{browser, clock, dialogs, draw, keys, storage};
-use crate::maze::{file, samples, text};
+use super::{browser, clock, dialogs, draw, keys, lazy, opening, storage};
+use crate::maze::samples;
 use crate::playback::Motion;
-use crate::share;
 
 /// The part of the address that holds a maze.
 pub const LINK: &str = "m=";
@@ -29,7 +28,7 @@ pub fn App() -> impl IntoView {
     show_theme(lab);
     clock::run_clock(lab);
     keys::listen(lab);
-    take_files(lab);
+    opening::listen(lab);
     listen_for_updates(lab);
     let on_hash =
         window_event_listener(leptos::ev::hashchange, move |_| follow_address(lab, browser::hash().as_str()));
@@ -39,8 +38,9 @@ pub fn App() -> impl IntoView {
             <a class="vh skip" href="#main" on:click=mouse(move |event| { event.prevent_default(); browser::focus("main"); })>"Skip to the maze"</a>
             <Header />
             {part(move || match (lab.projector.get(), lab.room.get()) {
+                _ if lab.link_coming.get() => lazy::arriving(),
                 (true, _) => view! { <Projector /> }.into_any(),
-                (false, Room::Draw) => view! { <draw::DrawRoom /> }.into_any(),
+                (false, Room::Draw) => lazy::view(draw::room),
                 (false, Room::Step) => view! { <StepRoom /> }.into_any(),
             })}
         </div>
@@ -65,26 +65,11 @@ pub fn go(lab: Lab, room: Room) {
 /// Opens what the address names: a room, or the maze of a link.
 fn follow_address(lab: Lab, hash: &str) {
     if let Some(payload) = hash.strip_prefix(LINK) {
-        open_link(lab, payload);
+        opening::open_link(lab, payload);
     } else if hash == "draw" {
         lab.room.set(Room::Draw);
     } else if hash == "step" {
         lab.room.set(Room::Step);
-    }
-}
-
-/// Opens the maze, settings and stop of a link; a broken one is told, and nothing changes.
-pub fn open_link(lab: Lab, payload: &str) {
-    match share::decode(payload) {
-        Ok(shared) => {
-            lab.broken_link.set(None);
-            lab.room.set(Room::Step);
-            lab.borrow(shared.maze, shared.settings, shared.stop);
-        }
-        Err(why) => {
-            lab.broken_link.set(Some(why.to_string()));
-            browser::replace_hash("step");
-        }
     }
 }
 
@@ -134,84 +119,9 @@ fn show_theme(lab: Lab) {
     }
 }
 
-/// Reads a file's bytes as a maze and opens it; says what is wrong where it cannot be read.
-pub fn open_bytes(lab: Lab, name: &str, bytes: &[u8]) {
-    match file::read(bytes) {
-        Ok(maze) => {
-            lab.open(maze);
-            lab.say(ToastTone::Info, "", format!("{name} is open."));
-        }
-        Err(why) => lab.say(ToastTone::Error, format!("Can’t read {name}"), why.to_string()),
-    }
-}
-
-/// Opens a file that the user chose or dropped.
-pub fn open_file(lab: Lab, file: &web_sys::File) {
-    let (name, size) = (file.name(), file.size());
-    if size > text::MAX_BYTES as f64 {
-        let text = format!(
-            "It has {:.1} MiB; a maze file has at most {} MiB.",
-            size / 1_048_576.0,
-            text::MAX_BYTES >> 20
-        );
-        return lab.say(ToastTone::Error, format!("Can’t read {name}"), text);
-    }
-    let bytes = file.array_buffer();
-    leptos::task::spawn_local(async move {
-        match wasm_bindgen_futures::JsFuture::from(bytes).await {
-            Ok(buffer) => open_bytes(lab, &name, &js_sys::Uint8Array::new(&buffer).to_vec()),
-            Err(_) => lab.say(
-                ToastTone::Error,
-                format!("Can’t read {name}"),
-                "The browser could not read the file. Is it still there?",
-            ),
-        }
-    });
-}
-
-/// Files dropped anywhere, and mazes pasted anywhere but into a field.
-fn take_files(lab: Lab) {
-    let over = window_event_listener(leptos::ev::dragover, |event| event.prevent_default());
-    let drop = window_event_listener(leptos::ev::drop, move |event| {
-        event.prevent_default();
-        let files = event.data_transfer().and_then(|transfer| transfer.files());
-        let Some(files) = files.filter(|files| files.length() > 0) else { return };
-        if files.length() > 1 {
-            lab.say(ToastTone::Error, "One file at a time", "Only the first of the dropped files is opened.");
-        }
-        if let Some(file) = files.get(0) {
-            open_file(lab, &file);
-        }
-    });
-    let paste = window_event_listener(leptos::ev::paste, move |event| {
-        if keys::is_typing(event.target()) {
-            return;
-        }
-        let text =
-            event.clipboard_data().and_then(|data| data.get_data("text/plain").ok()).unwrap_or_default();
-        if !text.trim().is_empty() {
-            event.prevent_default();
-            open_text(lab, &text);
-        }
-    });
-    on_cleanup(move || {
-        over.remove();
-        drop.remove();
-        paste.remove();
-    });
-}
-
-/// Opens a maze or a link that was pasted.
-pub fn open_text(lab: Lab, text: &str) {
-    match text.trim().split_once(&format!("#{LINK}")) {
-        Some((before, payload)) if !before.contains('\n') => open_link(lab, payload.trim()),
-        _ => open_bytes(lab, "the pasted maze", text.as_bytes()),
-    }
-}
-
 /// Says when a new version of the page waits.
 fn listen_for_updates(lab: Lab) {
-    use super::state::{Toast, ToastAction};
+    use super::state::{Toast, ToastAction, ToastTone};
     let waiting = window_event_listener_untyped("linemaze:update-ready", move |_| {
         let toast = Toast {
             title: "A new version is here".into(),

@@ -5,6 +5,7 @@ use leptos::html;
 use leptos::prelude::*;
 
 use super::icons;
+use super::lazy::{self, lazy};
 use super::state::{Dialog, ToastAction, ToastTone, lab};
 
 mod books;
@@ -16,15 +17,38 @@ mod share;
 pub fn Dialogs() -> impl IntoView {
     let lab = lab();
     part(move || {
-        lab.dialog.get().map(|dialog| match dialog {
+        lab.dialog.get().map(|dialog| {
+            lazy::view(move || {
+                let dialog = dialog.clone();
+                async move {
+                    match dialog {
+                        Dialog::New | Dialog::Resize | Dialog::About | Dialog::Paste | Dialog::Samples => {
+                            super::draw::dialog(dialog).await
+                        }
+                        Dialog::Keys
+                        | Dialog::Glossary(_)
+                        | Dialog::Errata
+                        | Dialog::Settings
+                        | Dialog::Share => opened(dialog).await,
+                    }
+                }
+            })
+        })
+    })
+}
+
+lazy! { dialogs;
+    fn opened(dialog: Dialog) -> AnyView {
+        match dialog {
             Dialog::Keys => view! { <books::Keys /> }.into_any(),
             Dialog::Glossary(name) => view! { <books::Glossary at=name /> }.into_any(),
             Dialog::Errata => view! { <books::Errata /> }.into_any(),
             Dialog::Settings => view! { <settings::RunSettings /> }.into_any(),
             Dialog::Share => view! { <share::Share /> }.into_any(),
-            other => super::draw::dialog(other),
-        })
-    })
+            // The drawing's own.
+            Dialog::New | Dialog::Resize | Dialog::About | Dialog::Paste | Dialog::Samples => ().into_any(),
+        }
+    }
 }
 
 /// How wide a dialog is.

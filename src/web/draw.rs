@@ -3,6 +3,7 @@
 use crate::web::erase::part;
 use leptos::prelude::*;
 
+use super::lazy::lazy;
 use super::state::{Dialog, lab};
 
 mod about;
@@ -24,13 +25,35 @@ mod sizes;
 mod thumb;
 mod tools;
 
-pub use files::{choose_file, save};
+pub use files::save;
 
 use desk::Desk;
 
-/// The room.
+lazy! { draw;
+    /// The room.
+    pub fn room() -> AnyView {
+        view! { <DrawRoom /> }.into_any()
+    }
+}
+
+lazy! { draw;
+    /// The dialogs that belong to the drawing.
+    pub fn dialog(dialog: Dialog) -> AnyView {
+        match dialog {
+            Dialog::New => view! { <sizes::New /> }.into_any(),
+            Dialog::Resize => view! { <sizes::Resize /> }.into_any(),
+            Dialog::About => view! { <about::About /> }.into_any(),
+            Dialog::Paste => view! { <paste::Paste /> }.into_any(),
+            Dialog::Samples => view! { <shelf::Samples /> }.into_any(),
+            Dialog::Keys | Dialog::Glossary(_) | Dialog::Errata | Dialog::Share | Dialog::Settings => {
+                ().into_any()
+            }
+        }
+    }
+}
+
 #[component]
-pub fn DrawRoom() -> impl IntoView {
+fn DrawRoom() -> impl IntoView {
     let desk = Desk::new(lab());
     provide_context(desk);
     keyboard::listen(desk);
@@ -57,19 +80,5 @@ pub fn DrawRoom() -> impl IntoView {
             </div>
         </main>
         <shelf::Shelf />
-    }
-}
-
-/// The dialogs that belong to the drawing.
-pub fn dialog(dialog: Dialog) -> AnyView {
-    match dialog {
-        Dialog::New => view! { <sizes::New /> }.into_any(),
-        Dialog::Resize => view! { <sizes::Resize /> }.into_any(),
-        Dialog::About => view! { <about::About /> }.into_any(),
-        Dialog::Paste => view! { <paste::Paste /> }.into_any(),
-        Dialog::Samples => view! { <shelf::Samples /> }.into_any(),
-        Dialog::Keys | Dialog::Glossary(_) | Dialog::Errata | Dialog::Share | Dialog::Settings => {
-            ().into_any()
-        }
     }
 }

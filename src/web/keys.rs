@@ -124,7 +124,7 @@ fn with_control(lab: Lab, key: &str, shift: bool) -> bool {
         ("z", false) => lab.undo(),
         ("z", true) | ("y", false) => lab.redo(),
         ("s", false) => super::draw::save(lab),
-        ("o", false) => super::draw::choose_file(lab),
+        ("o", false) => super::opening::choose_file(lab),
         _ => return false,
     }
     true

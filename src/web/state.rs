@@ -121,6 +121,8 @@ pub struct Lab {
     pub toast: RwSignal<Option<Toast>>,
     /// A link that could not be opened: why.
     pub broken_link: RwSignal<Option<String>>,
+    /// Whether a link is being opened.
+    pub link_coming: RwSignal<bool>,
     /// Whether the maze came by a link and is not the user's own yet.
     pub borrowed: RwSignal<bool>,
     /// Whether the browser refuses to keep the drawing.
@@ -168,6 +170,7 @@ impl Lab {
             dialog: RwSignal::new(None),
             toast: RwSignal::new(None),
             broken_link: RwSignal::new(None),
+            link_coming: RwSignal::new(false),
             borrowed: RwSignal::new(false),
             not_kept: RwSignal::new(false),
             theme: RwSignal::new(storage::theme()),

@@ -7,13 +7,10 @@ use anyhow::{Result, bail};
 
 use crate::dist;
 
-/// A first visit fetches every file of the page: the service worker keeps all of them. This is what the page
-/// weighs now; it may get lighter, not heavier. Lower the numbers with it until they meet the goals.
-const ALL: usize = 315_000;
-const WASM: usize = 290_000;
-/// What a first visit may weigh in the end.
-const GOAL_ALL: usize = 250_000;
-const GOAL_WASM: usize = 200_000;
+/// What the page fetches before it can be used.
+const FIRST: usize = 250_000;
+/// How much of that may be wasm.
+const WASM: usize = 200_000;
 
 #[derive(Debug)]
 struct Weight {
@@ -28,21 +25,12 @@ pub(crate) fn check(folder: &Path) -> Result<()> {
         .into_iter()
         .map(|(address, content)| Ok(Weight { address, raw: content.len(), brotli: brotli(&content)? }))
         .collect::<Result<Vec<_>>>()?;
-    let (all, wasm) = totals(&weights);
+    let totals = totals(&weights);
     print!("{}", table(&weights));
-    println!(
-        "{:>9}   {:>8}   of {} kB allowed, wasm {} of {}",
-        "",
-        kb(all),
-        ALL / 1000,
-        kb(wasm),
-        WASM / 1000
-    );
-    let to_go = all.saturating_sub(GOAL_ALL).max(wasm.saturating_sub(GOAL_WASM));
-    if to_go > 0 {
-        println!("the goal is {} kB, wasm {}: {} kB to go", GOAL_ALL / 1000, GOAL_WASM / 1000, kb(to_go));
-    }
-    let complaints = complaints(all, wasm);
+    println!("first load {} kB of {} allowed,", kb(totals.first), FIRST / 1000);
+    println!("of it wasm {} kB of {} allowed;", kb(totals.wasm), WASM / 1000);
+    println!("what follows when it is needed, or in the background, {} kB", kb(totals.later));
+    let complaints = complaints(&totals);
     if !complaints.is_empty() {
         bail!("the page got too heavy: {}", complaints.join("; "));
     }
@@ -55,19 +43,36 @@ fn brotli(content: &[u8]) -> Result<usize> {
     Ok(compressor.into_inner().len())
 }
 
-fn totals(weights: &[Weight]) -> (usize, usize) {
-    let all = weights.iter().map(|weight| weight.brotli).sum();
-    let wasm =
-        weights.iter().filter(|weight| weight.address.ends_with(".wasm")).map(|weight| weight.brotli).sum();
-    (all, wasm)
+#[derive(Debug, PartialEq, Eq)]
+struct Totals {
+    first: usize,
+    wasm: usize,
+    later: usize,
 }
 
-fn complaints(all: usize, wasm: usize) -> Vec<String> {
-    [("in all", all, ALL), ("of wasm", wasm, WASM)]
+fn totals(weights: &[Weight]) -> Totals {
+    let sum = |which: fn(&str) -> bool| {
+        weights.iter().filter(|weight| which(&weight.address)).map(|weight| weight.brotli).sum()
+    };
+    Totals { first: sum(|file| !is_later(file)), wasm: sum(is_main), later: sum(is_later) }
+}
+
+/// The wasm that the page starts with.
+fn is_main(file: &str) -> bool {
+    file.ends_with("_bg.wasm")
+}
+
+/// The other parts of the wasm come when they are needed, and the offline worker starts behind the page.
+fn is_later(file: &str) -> bool {
+    file.ends_with(".wasm") && !is_main(file) || file == "sw.js"
+}
+
+fn complaints(totals: &Totals) -> Vec<String> {
+    [("in all", totals.first, FIRST), ("of wasm", totals.wasm, WASM)]
         .into_iter()
         .filter(|(_, weight, budget)| weight > budget)
         .map(|(what, weight, budget)| {
-            format!("{} kB {what}, {} more than allowed", kb(weight), kb(weight - budget))
+            format!("{} kB {what} at first, {} more than allowed", kb(weight), kb(weight - budget))
         })
         .collect()
 }
@@ -89,17 +94,24 @@ mod tests {
 
     #[test]
     fn up_to_the_budget_is_fine_and_a_byte_more_is_not() {
-        assert!(complaints(ALL, WASM).is_empty());
-        assert_eq!(complaints(ALL + 1, WASM).len(), 1);
-        let heavy = format!("{} kB of wasm, 1.5 more than allowed", kb(WASM + 1500));
-        assert_eq!(complaints(ALL, WASM + 1500), [heavy]);
-        assert_eq!(complaints(ALL + 1, WASM + 1).len(), 2);
+        let full = Totals { first: FIRST, wasm: WASM, later: 1 << 30 };
+        assert!(complaints(&full).is_empty());
+        assert_eq!(complaints(&Totals { first: FIRST + 1, ..full }).len(), 1);
+        let heavy = format!("{} kB of wasm at first, 1.5 more than allowed", kb(WASM + 1500));
+        assert_eq!(complaints(&Totals { wasm: WASM + 1500, ..full }), [heavy]);
     }
 
     #[test]
-    fn wasm_counts_in_both_totals() {
+    fn parts_that_come_later_do_not_count_at_first() {
         let weight = |address: &str, brotli| Weight { address: address.into(), raw: 0, brotli };
-        assert_eq!(totals(&[weight("a_bg.wasm", 5), weight("a.js", 2)]), (7, 5));
+        let page = [
+            weight("a_bg.wasm", 5),
+            weight("a.js", 2),
+            weight("draw-0123.wasm", 10),
+            weight("sw.js", 20),
+            weight("a.css", 100),
+        ];
+        assert_eq!(totals(&page), Totals { first: 107, wasm: 5, later: 30 });
     }
 
     #[test]

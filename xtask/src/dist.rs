@@ -8,7 +8,7 @@ use anyhow::{Context, Result};
 
 use crate::shell::{Shell, run};
 use crate::tools::{self, say};
-use crate::{budget, csp, offline};
+use crate::{budget, csp, offline, split};
 
 /// Stands in `index.html` until the page gets its version here.
 const DEVELOPMENT: &str = "<meta name=\"version\" content=\"development\"";
@@ -17,7 +17,10 @@ pub(crate) fn dist(shell: &Shell) -> Result<()> {
     tools::for_release(shell)?;
     say("Building the page to publish (some minutes the first time)");
     let folder = folder(shell);
-    run(trunk(shell, "build").args(["--release", "--public-url", "./"]).arg("--dist").arg(&folder))?;
+    let mut build = trunk(shell, "build");
+    build.args(["--release", "--public-url", "./"]).arg("--dist").arg(&folder);
+    run(build.env("CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUSTFLAGS", split::rustflags(shell)))?;
+    split::split(shell, &folder)?;
     seal(&folder)?;
     offline::fill_in(&folder)?;
     budget::check(&folder)?;

@@ -11,6 +11,7 @@ mod offline;
 mod port;
 mod serve;
 mod shell;
+mod split;
 mod summary;
 mod tools;
 

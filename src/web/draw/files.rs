@@ -4,13 +4,9 @@ use leptos::prelude::*;
 use wasm_bindgen::JsCast;
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_futures::JsFuture;
-use web_sys::{
-    Blob, BlobPropertyBag, CanvasRenderingContext2d, HtmlCanvasElement, HtmlImageElement, HtmlInputElement,
-    Url,
-};
+use web_sys::{Blob, BlobPropertyBag, CanvasRenderingContext2d, HtmlCanvasElement, HtmlImageElement, Url};
 
 use crate::maze::{Maze, file, json, svg, text};
-use crate::web::app;
 use crate::web::browser::{download, download_blob};
 use crate::web::state::{Lab, ToastTone};
 
@@ -93,21 +89,4 @@ async fn to_blob(canvas: &HtmlCanvasElement) -> Result<JsValue, JsValue> {
         }
     });
     JsFuture::from(promise).await
-}
-
-/// Lets the user choose a file, and opens it.
-pub fn choose_file(lab: Lab) {
-    let Ok(input) = document().create_element("input").map(JsCast::unchecked_into::<HtmlInputElement>) else {
-        return;
-    };
-    input.set_type("file");
-    input.set_accept(".maze,.json,.txt,text/plain,application/json");
-    let chosen = input.clone();
-    let open = Closure::once_into_js(move || {
-        if let Some(file) = chosen.files().and_then(|files| files.get(0)) {
-            app::open_file(lab, &file);
-        }
-    });
-    let _ = input.add_event_listener_with_callback("change", open.unchecked_ref());
-    input.click();
 }

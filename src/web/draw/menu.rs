@@ -6,7 +6,8 @@ use leptos::prelude::*;
 use wasm_bindgen::JsCast;
 use web_sys::{Element, HtmlElement, KeyboardEvent};
 
-use super::files::{self, choose_file, save};
+use super::files::{self, save};
+use crate::web::opening::choose_file;
 use crate::web::state::{Dialog, lab};
 
 /// The button and the menu.

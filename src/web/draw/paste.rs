@@ -6,8 +6,8 @@ use leptos::prelude::*;
 
 use super::desk::say_done;
 use crate::maze::file;
-use crate::web::app::{self, LINK};
 use crate::web::dialogs::Modal;
+use crate::web::opening;
 use crate::web::state::lab;
 
 /// The dialog.
@@ -19,9 +19,9 @@ pub fn Paste() -> impl IntoView {
     let open = move |event: web_sys::SubmitEvent| {
         event.prevent_default();
         let text = text.get_untracked().map(|field| field.value()).unwrap_or_default();
-        if is_link(&text) {
+        if opening::link_in(&text).is_some() {
             lab.dialog.set(None);
-            return app::open_text(lab, &text);
+            return opening::open_text(lab, text);
         }
         match file::read(text.as_bytes()) {
             Ok(maze) => {
@@ -44,9 +44,4 @@ pub fn Paste() -> impl IntoView {
             </form>
         </Modal>
     }
-}
-
-/// Whether it is one line with a maze in its address.
-fn is_link(text: &str) -> bool {
-    text.trim().split_once(&format!("#{LINK}")).is_some_and(|(before, _)| !before.contains('\n'))
 }

@@ -2,7 +2,7 @@
 //! be stopped, which is how a test cuts the network.
 
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use anyhow::{Context, Result, ensure};
 use tokio::io::{AsyncReadExt, AsyncWriteExt};
@@ -14,11 +14,18 @@ use crate::{named, root};
 /// Where the page is below the server's root.
 const FOLDER: &str = "/some/sub/folder/";
 
+/// In what the server differs from the folder.
+#[derive(Debug, Default)]
+struct Faults {
+    missing: Vec<&'static str>,
+    changed: Vec<(&'static str, &'static str, &'static str)>,
+}
+
 /// A running server.
 #[derive(Debug)]
 pub struct Site {
     port: u16,
-    missing: Arc<Mutex<Vec<&'static str>>>,
+    faults: Arc<Mutex<Faults>>,
     accepting: JoinHandle<()>,
 }
 
@@ -33,15 +40,15 @@ impl Site {
         ensure!(built, "there's no page in {}; `cargo xtask test e2e` builds it", dist.display());
         let listener = TcpListener::bind(("localhost", 0)).await?;
         let port = listener.local_addr()?.port();
-        let missing = Arc::new(Mutex::new(Vec::new()));
-        let gone = Arc::clone(&missing);
+        let faults = Arc::new(Mutex::new(Faults::default()));
+        let shared = Arc::clone(&faults);
         let accepting = tokio::spawn(async move {
             while let Ok((stream, _)) = listener.accept().await {
-                let (dist, gone) = (dist.clone(), Arc::clone(&gone));
-                tokio::spawn(async move { answer(stream, &dist, &gone).await });
+                let (dist, faults) = (dist.clone(), Arc::clone(&shared));
+                tokio::spawn(async move { answer(stream, &dist, &faults).await });
             }
         });
-        Ok(Self { port, missing, accepting })
+        Ok(Self { port, faults, accepting })
     }
 
     /// The page's address.
@@ -52,7 +59,21 @@ impl Site {
 
     /// From now on, files with this in their names are not found.
     pub fn lose(&self, part: &'static str) {
-        self.missing.lock().unwrap_or_else(PoisonError::into_inner).push(part);
+        self.faults().missing.push(part);
+    }
+
+    fn faults(&self) -> MutexGuard<'_, Faults> {
+        self.faults.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// From now on, one text stands for another in a file.
+    pub fn change(&self, file: &'static str, from: &'static str, to: &'static str) {
+        self.faults().changed.push((file, from, to));
+    }
+
+    /// Every file is found again.
+    pub fn find_all(&self) {
+        self.faults().missing.clear();
     }
 
     /// Cuts the network: nobody answers at this address any more.
@@ -69,13 +90,26 @@ impl Site {
     }
 }
 
+impl Faults {
+    fn apply(&self, path: &str, body: Vec<u8>) -> Option<Vec<u8>> {
+        if self.missing.iter().any(|part| path.contains(part)) {
+            return None;
+        }
+        Some(
+            self.changed.iter().filter(|(file, ..)| *file == path).fold(body, |body, (_, from, to)| {
+                String::from_utf8_lossy(&body).replace(from, to).into_bytes()
+            }),
+        )
+    }
+}
+
 impl Drop for Site {
     fn drop(&mut self) {
         self.accepting.abort();
     }
 }
 
-async fn answer(mut stream: TcpStream, dist: &Path, missing: &Mutex<Vec<&'static str>>) -> Result<()> {
+async fn answer(mut stream: TcpStream, dist: &Path, faults: &Mutex<Faults>) -> Result<()> {
     let mut request = Vec::new();
     while !request.windows(4).any(|end| end == b"\r\n\r\n") {
         if stream.read_buf(&mut request).await? == 0 {
@@ -84,10 +118,10 @@ async fn answer(mut stream: TcpStream, dist: &Path, missing: &Mutex<Vec<&'static
     }
     let request = String::from_utf8(request)?;
     let target = request.split(' ').nth(1).context("no target")?;
-    let lost = |path: &str| {
-        missing.lock().unwrap_or_else(PoisonError::into_inner).iter().any(|part| path.contains(part))
-    };
-    let found = file(dist, target).filter(|(path, _)| !lost(path));
+    let found = file(dist, target).and_then(|(path, body)| {
+        let body = faults.lock().unwrap_or_else(PoisonError::into_inner).apply(&path, body)?;
+        Some((path, body))
+    });
     let (status, mime, body) = match &found {
         Some((path, body)) => ("200 OK", mime(path), body.as_slice()),
         None => ("404 Not Found", "text/plain", b"not found".as_slice()),

@@ -146,6 +146,24 @@ async fn a_missing_program_is_told() -> Result<()> {
 }
 
 #[tokio::test]
+async fn a_missing_part_is_told_and_can_be_asked_for_again() -> Result<()> {
+    let site = Site::start().await?;
+    site.lose("draw-");
+    let setup = Setup::default().expect_console("404").expect_console("wasm").expect_console("WebAssembly");
+    lab_at(&site, setup, async |page| {
+        page.press("1").await?;
+        page.wait_for_text(".arriving[role=alert]", "could not be loaded").await?;
+        page.screenshot("missing-part").await?;
+        site.find_all();
+        page.click("Try again").await?;
+        page.wait_for("#drawing").await?;
+        page.press("2").await?;
+        steps_to_the_end(page).await
+    })
+    .await
+}
+
+#[tokio::test]
 async fn a_strangers_error_stops_nobody() -> Result<()> {
     lab(Setup::default().expect_console("an extension"), async |page| {
         page.eval("setTimeout(() => { throw new Error('an extension broke') })").await?;
