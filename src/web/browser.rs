@@ -96,3 +96,10 @@ pub fn focus(id: &str) {
         let _ = element.unchecked_into::<web_sys::HtmlElement>().focus();
     }
 }
+
+/// The number that an attribute gives to the element under the pointer, or to one around it.
+#[must_use]
+pub fn data_number(event: &web_sys::PointerEvent, attribute: &str) -> Option<u32> {
+    let element = event.target()?.dyn_into::<web_sys::Element>().ok()?;
+    element.closest(&format!("[{attribute}]")).ok()??.get_attribute(attribute)?.parse().ok()
+}

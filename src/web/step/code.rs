@@ -21,13 +21,15 @@ pub fn CodeCard() -> impl IntoView {
     // The line that ran stays in sight without moving the page.
     Effect::new(move |_| {
         let (Some(list), Some(ran)) = (list.get(), ran.get()) else { return };
-        if let Some(row) = list.children().item(ran as u32) {
+        // Once all views have followed the step: to ask for places earlier would lay the page out twice.
+        request_animation_frame(move || {
+            let Some(row) = list.children().item(ran as u32) else { return };
             let (top, bottom) = (row.get_bounding_client_rect(), list.get_bounding_client_rect());
             let off = top.top() - bottom.top();
             if off < 30.0 || off > bottom.height() - 60.0 {
                 list.set_scroll_top((f64::from(list.scroll_top()) + off - bottom.height() / 2.5) as i32);
             }
-        }
+        });
     });
     let row = move |(index, listed): (usize, &'static Listed)| {
         let is = move |line: Memo<Option<usize>>| line.get() == Some(index);

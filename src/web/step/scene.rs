@@ -3,7 +3,6 @@
 use crate::web::erase::{part, pointer, sig, wheel};
 use leptos::html;
 use leptos::prelude::*;
-use wasm_bindgen::JsCast;
 
 use crate::geometry::{Heading, Point};
 use crate::ink::CellState;
@@ -261,39 +260,57 @@ fn Nodes(camera: Camera) -> impl IntoView {
     });
     let here = move || lab.frame.with(|frame| frame.as_ref().map_or(0, |frame| frame.node));
     let numbered = Memo::new(move |_| camera.view().scale >= 16.0);
-    let markup = move || nodes.with(|nodes| discs(nodes, here(), numbered.get() && nodes.len() <= NUMBERED));
+    let markup = move || {
+        nodes.with(|nodes| match numbered.get() && nodes.len() <= NUMBERED {
+            true => discs(nodes, here()),
+            false => dots(nodes, here()),
+        })
+    };
     let lit = move || {
         let number = lab.lit.get()?;
         nodes.with(|nodes| nodes.iter().find(|node| node.number == number).copied())
     };
+    let pointed_at = move |event: &web_sys::PointerEvent| {
+        let (x, y) = camera.place(f64::from(event.offset_x()), f64::from(event.offset_y()));
+        let at = Point::new(x.round() as i32, y.round() as i32);
+        nodes.with_untracked(|nodes| nodes.iter().find(|node| node.at == at).map(|node| node.number))
+    };
     view! {
         <g
             inner_html=sig(markup)
-            on:pointerover=pointer(move |event| lab.lit.set(pointed_at(&event)))
+            on:pointermove=pointer(move |event| lab.lit.set(pointed_at(&event)))
             on:pointerout=pointer(move |_| lab.lit.set(None))
         ></g>
         {part(move || lit().map(|node| view! { <circle class="ring lit" data-node=node.number cx=node.at.x * UNIT cy=-node.at.y * UNIT r="20" /> }))}
     }
 }
 
-/// The nodes' discs as SVG markup.
-fn discs(nodes: &[NodeMark], here: u32, numbered: bool) -> String {
+/// The nodes' numbered discs as SVG markup.
+fn discs(nodes: &[NodeMark], here: u32) -> String {
     let mut markup = String::new();
     for NodeMark { number, at } in nodes {
         let class = if *number == here { "node here" } else { "node" };
-        let text = if numbered { format!("<text y=\"6\">{number}</text>") } else { String::new() };
         let (x, y) = (at.x * UNIT, -at.y * UNIT);
         markup.push_str(&format!(
-            "<g class=\"{class}\" data-node=\"{number}\" transform=\"translate({x} {y})\"><circle class=\"disc\" r=\"17\"/>{text}</g>"
+            "<g class=\"{class}\" data-node=\"{number}\" transform=\"translate({x} {y})\"><circle class=\"disc\" r=\"17\"/><text y=\"6\">{number}</text></g>"
         ));
     }
     markup
 }
 
-/// The node under the pointer.
-fn pointed_at(event: &web_sys::PointerEvent) -> Option<u32> {
-    let element = event.target()?.dyn_into::<web_sys::Element>().ok()?;
-    element.closest("[data-node]").ok()??.get_attribute("data-node")?.parse().ok()
+/// Many nodes, or small ones: one shape for all of them, and one for where the bot is.
+fn dots(nodes: &[NodeMark], here: u32) -> String {
+    let shape = |class: &str, wanted: &dyn Fn(u32) -> bool| {
+        let data: String = nodes
+            .iter()
+            .filter(|node| wanted(node.number))
+            .map(|NodeMark { at, .. }| {
+                format!("M{} {}a17 17 0 1 0 34 0a17 17 0 1 0-34 0", at.x * UNIT - 17, -at.y * UNIT)
+            })
+            .collect();
+        format!("<g class=\"{class}\"><path class=\"disc\" d=\"{data}\"/></g>")
+    };
+    shape("node", &|number| number != here) + &shape("node here", &|number| number == here)
 }
 
 /// The picture in words.

@@ -1,5 +1,7 @@
 //! The node table: what the bot remembers. Long tables show the rows that are in sight only.
 
+use std::fmt::Write;
+
 use crate::web::erase::{event, mouse, part, pointer, sig};
 use leptos::html;
 use leptos::prelude::*;
@@ -7,33 +9,32 @@ use leptos::prelude::*;
 use super::look_up;
 use crate::geometry::Heading;
 use crate::playback::{Command, Mark};
-use crate::trace::WayState;
+use crate::trace::{Frame, Row, WayState};
+use crate::web::browser;
 use crate::web::state::{Lab, lab};
 
 /// The height of a row in pixels; the style sheet says the same.
 const ROW: f64 = 34.0;
+/// About the height of the head, which stays in sight.
+const HEAD: f64 = 28.0;
 /// Rows that are made beyond those in sight.
-const SPARE: u32 = 12;
+const SPARE: u32 = 3;
+/// What is in sight at first, in pixels from the top and in height; a short table may grow that high.
+const AT_FIRST: (f64, f64) = (0.0, 280.0);
 
 /// The card.
 #[component]
 pub fn NodeTable() -> impl IntoView {
     let lab = lab();
     let ptr = Memo::new(move |_| lab.frame.with(|frame| frame.as_ref().map_or(1, |frame| frame.state.ptr)));
-    let scrolled = RwSignal::new((0.0f64, 400.0f64));
+    let scrolled = RwSignal::new(AT_FIRST);
     let scroller = NodeRef::<html::Div>::new();
-    let range = Memo::new(move |_| {
-        let (top, height) = scrolled.get();
-        let first = ((top / ROW) as u32).saturating_sub(SPARE) + 1;
-        let last = ((top + height) / ROW) as u32 + SPARE;
-        (first.min(ptr.get()), last.min(ptr.get() - 1))
-    });
     let on_scroll = move |_| {
         if let Some(div) = scroller.get_untracked() {
             scrolled.set((f64::from(div.scroll_top()), f64::from(div.client_height())));
         }
     };
-    keep_in_sight(lab, scroller);
+    keep_in_sight(lab, scroller, scrolled);
     view! {
         <section class="card fill nodes-card" aria-labelledby="nodes-title">
             <h2 id="nodes-title">"Node table"<span class="spacer"></span><span class="small">{part(move || remembered(ptr.get() - 1))}</span></h2>
@@ -47,14 +48,11 @@ pub fn NodeTable() -> impl IntoView {
                                 <th scope="col"><Term name="back_path" /></th>
                                 <th scope="col"><Term name="x_cor" />", "<Term name="y_cor" />" ms"</th>
                             </tr></thead>
-                            <tbody>
-                                <Gap rows=Signal::derive(move || range.get().0 - 1) />
-                                {part(move || {
-                                    let (first, last) = range.get();
-                                    (first.max(1)..=last).map(|number| view! { <NodeRow number=number /> }).collect_view()
-                                })}
-                                <Gap rows=Signal::derive(move || (ptr.get() - 1).saturating_sub(range.get().1)) />
-                            </tbody>
+                            <tbody
+                                inner_html=sig(move || rows(lab, scrolled.get()))
+                                on:pointerover=pointer(move |event| lab.lit.set(browser::data_number(&event, "data-node")))
+                                on:pointerleave=pointer(move |_| lab.lit.set(None))
+                            ></tbody>
                         </table>
                     </div>
                 }.into_any()
@@ -65,6 +63,76 @@ pub fn NodeTable() -> impl IntoView {
     }
 }
 
+/// The rows in sight as markup (numbers and fixed words only): at every stop most of them change.
+fn rows(lab: Lab, (top, height): (f64, f64)) -> String {
+    let lit = lab.lit.get();
+    lab.frame.with(|frame| {
+        let Some(frame) = frame else { return String::new() };
+        let all = frame.state.ptr - 1;
+        // What is scrolled away from when the table gets shorter is not made either.
+        let last = (((top + height.max(AT_FIRST.1)) / ROW) as u32 + SPARE).min(all);
+        let first = ((top / ROW) as u32).saturating_sub(SPARE).min(last) + 1;
+        let mut markup = gap(first - 1);
+        lab.run.with(|run| {
+            let Ok(run) = run else { return };
+            for number in first..=last {
+                if let Some(row) = run.trace.row(frame.moment, number) {
+                    push_row(&mut markup, &row, frame, lit);
+                }
+            }
+        });
+        markup + &gap(all - last)
+    })
+}
+
+/// Rows that are not made.
+fn gap(rows: u32) -> String {
+    if rows == 0 {
+        return String::new();
+    }
+    let height = rows * ROW as u32;
+    format!(
+        "<tr class=\"gap\" aria-hidden=\"true\"><td colspan=\"4\"><svg width=\"1\" height=\"{height}\"></svg></td></tr>"
+    )
+}
+
+fn push_row(markup: &mut String, row: &Row, frame: &Frame, lit: Option<u32>) {
+    let number = row.number;
+    let here = frame.node == number;
+    let lit = if lit == Some(number) { "lit" } else { "" };
+    let (class, current) = if here { ("here", " aria-current=\"true\"") } else { ("", "") };
+    let _ = write!(markup, "<tr class=\"{class} {lit}\" data-node=\"{number}\"{current}><td>{number}");
+    if here {
+        markup.push_str("<span class=\"tag\" title=\"The bot stands here\">◂<span class=\"vh\">the bot stands here</span></span>");
+    }
+    if frame.state.ptr == number + 1 {
+        markup.push_str("<span class=\"tag\">ptr−1</span>");
+    }
+    let (mut told, mut shown) = (String::new(), String::new());
+    for heading in Heading::ALL {
+        let (class, state) = match row.way(heading) {
+            WayState::None => ("no", "no path"),
+            WayState::Unvisited => ("on", "unvisited"),
+            WayState::Visited => ("seen", "visited"),
+            WayState::Crossed => ("x", "crossed out"),
+        };
+        let (word, index) = (heading.word(), heading.index());
+        let _ = write!(told, "{word} {state}, ");
+        let _ = write!(shown, "<span class=\"d {class}\" title=\"{word} ({index}): {state}\">");
+        match row.way(heading) {
+            WayState::None => shown.push('·'),
+            WayState::Unvisited | WayState::Visited | WayState::Crossed => {
+                let _ = write!(shown, "{heading}");
+            }
+        }
+        shown.push_str("</span>");
+    }
+    let told = told.trim_end_matches(", ");
+    let _ = write!(markup, "</td><td aria-label=\"{told}\">{shown}");
+    let node = &row.node;
+    let _ = write!(markup, "</td><td>{}</td><td>{}, {}</td></tr>", node.back_path, node.x_cor, node.y_cor);
+}
+
 fn remembered(nodes: u32) -> String {
     match nodes {
         0 => String::new(),
@@ -73,30 +141,40 @@ fn remembered(nodes: u32) -> String {
     }
 }
 
-/// Scrolls the table so that the node of the moment is in sight.
-fn keep_in_sight(lab: Lab, scroller: NodeRef<html::Div>) {
-    Effect::new(move |_| {
-        let node = lab.frame.with(|frame| frame.as_ref().map_or(0, |frame| frame.node));
-        let Some(div) = scroller.get() else { return };
-        if node > 0 {
-            let (top, height) = (f64::from(div.scroll_top()), f64::from(div.client_height()));
-            let row = f64::from(node - 1) * ROW;
-            if row < top || row + 2.0 * ROW > top + height {
-                div.set_scroll_top((row - height / 2.0).max(0.0) as i32);
-            }
-        }
-    });
+/// Where to scroll to so that a node's row is in sight; nowhere if it is.
+fn scroll_for(node: u32, (top, height): (f64, f64)) -> Option<f64> {
+    let row = f64::from(node - 1) * ROW;
+    let in_sight = row >= top && row + ROW + HEAD <= top + height;
+    (!in_sight).then(|| (row - height / 2.0).max(0.0))
 }
 
-/// Rows that are not made.
-#[component]
-fn Gap(rows: Signal<u32>) -> impl IntoView {
-    part(move || {
-        (rows.get() > 0).then(|| {
-            let height = format!("{}px", f64::from(rows.get()) * ROW);
-            view! { <tr class="gap" aria-hidden="true"><td colspan="4" style:height=height></td></tr> }
-        })
-    })
+/// Scrolls the table so that the node of the moment is in sight.
+fn keep_in_sight(lab: Lab, scroller: NodeRef<html::Div>, scrolled: RwSignal<(f64, f64)>) {
+    Effect::new(move |_| {
+        let node = lab.frame.with(|frame| frame.as_ref().map_or(0, |frame| frame.node));
+        if scroller.get().is_none() || node == 0 {
+            return;
+        }
+        // The rows that will be in sight are made with the others of this step.
+        let sight = scrolled.get_untracked();
+        if let Some(top) = scroll_for(node, sight) {
+            scrolled.set((top, sight.1));
+        }
+        // Once all views have followed it: to ask for sizes earlier would lay the page out twice.
+        request_animation_frame(move || {
+            let Some(div) = scroller.try_get_untracked().flatten() else { return };
+            let height = f64::from(div.client_height());
+            let mut top = f64::from(div.scroll_top());
+            if let Some(wanted) = scroll_for(node, (top, height)) {
+                div.set_scroll_top(wanted as i32);
+                top = wanted;
+            }
+            let (known, _) = scrolled.get_untracked();
+            if (known - top).abs() > ROW {
+                scrolled.set((top, height));
+            }
+        });
+    });
 }
 
 /// A name that leads to the glossary.
@@ -104,47 +182,6 @@ fn Gap(rows: Signal<u32>) -> impl IntoView {
 fn Term(name: &'static str) -> impl IntoView {
     let lab = lab();
     view! { <button class="name" on:click=mouse(move |_| look_up(lab, name))>{name}</button> }
-}
-
-#[component]
-fn NodeRow(number: u32) -> impl IntoView {
-    let lab = lab();
-    let row = Memo::new(move |_| {
-        lab.run.with(|run| run.as_ref().ok().and_then(|run| run.trace.row(lab.moment.get(), number)))
-    });
-    let frame =
-        move |of: fn(&crate::trace::Frame) -> u32| lab.frame.with(|frame| frame.as_ref().map_or(0, of));
-    let here = move || frame(|frame| frame.node) == number;
-    let top = move || frame(|frame| frame.state.ptr) == number + 1;
-    let way = move |heading: Heading| {
-        let state = row.with(|row| row.map_or(WayState::None, |row| row.way(heading)));
-        let (class, text, told) = match state {
-            WayState::None => ("d no", "·".to_owned(), "no path"),
-            WayState::Unvisited => ("d on", heading.to_string(), "unvisited"),
-            WayState::Visited => ("d seen", heading.to_string(), "visited"),
-            WayState::Crossed => ("d x", heading.to_string(), "crossed out"),
-        };
-        view! { <span class=class title=format!("{} ({}): {told}", heading.word(), heading.index())><span aria-hidden="true">{text}</span><span class="vh">{format!("{} {told}, ", heading.word())}</span></span> }
-    };
-    view! {
-        <tr
-            class:here=here
-            class:lit=sig(move || lab.lit.get() == Some(number))
-            data-node=number
-            aria-current=sig(move || here().then_some("true"))
-            on:pointerenter=pointer(move |_| lab.lit.set(Some(number)))
-            on:pointerleave=pointer(move |_| lab.lit.set(None))
-        >
-            <td>
-                {number}
-                {part(move || here().then(|| view! { <span class="tag" title="The bot stands here">"◂"<span class="vh">"the bot stands here"</span></span> }))}
-                {part(move || top().then(|| view! { <span class="tag">"ptr−1"</span> }))}
-            </td>
-            <td>{part(move || Heading::ALL.map(way).into_iter().collect_view())}</td>
-            <td>{part(move || row.with(|row| row.map(|row| row.node.back_path.to_string())))}</td>
-            <td>{part(move || row.with(|row| row.map(|row| format!("{}, {}", row.node.x_cor, row.node.y_cor))))}</td>
-        </tr>
-    }
 }
 
 /// Nothing remembered yet.
