@@ -11,12 +11,20 @@ use crate::event::{Decision, Sighting};
 mod tables;
 
 pub mod book;
+pub mod cornell;
+pub mod depth_first;
+pub mod flood_fill;
 pub mod hand;
+pub mod mapping;
 pub mod mind;
 pub mod name;
+pub mod parex;
+mod places;
+pub mod squares;
 pub mod sums;
 mod taste;
 pub mod tell;
+pub mod tremaux;
 
 /// A robot's mind that tells its work as events.
 pub trait Explorer {

@@ -4,10 +4,16 @@
 use alloc::string::String;
 use alloc::vec::Vec;
 
+use super::cornell::{Cornell, Version};
+use super::depth_first::DepthFirst;
+use super::flood_fill::FloodFill;
 use super::hand::{Hand, Side};
+use super::mapping::Mapping;
 use super::name::Name;
+use super::parex::{Numbering, Parex};
 use super::sums::Sums;
 use super::tell::Said;
+use super::tremaux::Tremaux;
 use crate::event::{Decision, Look};
 use crate::geometry::{Heading, Point, Turn};
 use crate::settings::{Order, Rule, Search};
@@ -135,18 +141,41 @@ pub enum Mind {
     Hand(Hand),
     /// Direction sums.
     Sums(Sums),
+    /// Full mapping.
+    Mapping(Mapping),
+    /// Path mapping.
+    Parex(Parex),
+    /// A traversal of squares.
+    Cornell(Cornell),
+    /// Trémaux's marks.
+    Tremaux(Tremaux),
+    /// Depth first.
+    DepthFirst(DepthFirst),
+    /// Flood fill.
+    FloodFill(FloodFill),
 }
 
 impl Mind {
     /// A mind before its first stop; none for the book's, which has a trace of its own.
     #[must_use]
     pub fn new(name: Name, setup: &Setup) -> Option<Self> {
+        let parex = |side| Parex::new(side, setup.rule, Numbering::of(setup.field), setup.path_max);
+        let cornell = |version| Self::Cornell(Cornell::new(version, setup.field));
         Some(match name {
             Name::Book => return None,
             Name::LeftHand => Self::Hand(Hand::new(Side::Left)),
             Name::RightHand => Self::Hand(Hand::new(Side::Right)),
             Name::DirectionSumLeft => Self::Sums(Sums::new(Side::Left)),
             Name::DirectionSumRight => Self::Sums(Sums::new(Side::Right)),
+            Name::Mapping => Self::Mapping(Mapping::new(setup)),
+            Name::ParexLeft => Self::Parex(parex(Side::Left)),
+            Name::ParexRight => Self::Parex(parex(Side::Right)),
+            Name::Cornell1 => cornell(Version::One),
+            Name::Cornell2 => cornell(Version::Two),
+            Name::Cornell3 => cornell(Version::Three),
+            Name::Tremaux => Self::Tremaux(Tremaux::new(setup.order, setup.epsilon)),
+            Name::DepthFirst => Self::DepthFirst(DepthFirst::new(setup.order, setup.epsilon)),
+            Name::FloodFill => Self::FloodFill(FloodFill::new(setup.field, &setup.goal)),
         })
     }
 
@@ -156,6 +185,12 @@ impl Mind {
         match self {
             Self::Hand(mind) => mind,
             Self::Sums(mind) => mind,
+            Self::Mapping(mind) => mind,
+            Self::Parex(mind) => mind,
+            Self::Cornell(mind) => mind,
+            Self::Tremaux(mind) => mind,
+            Self::DepthFirst(mind) => mind,
+            Self::FloodFill(mind) => mind,
         }
     }
 
@@ -164,6 +199,12 @@ impl Mind {
         match self {
             Self::Hand(mind) => mind.decide(look, said),
             Self::Sums(mind) => mind.decide(look, said),
+            Self::Mapping(mind) => mind.decide(look, said),
+            Self::Parex(mind) => mind.decide(look, said),
+            Self::Cornell(mind) => mind.decide(look, said),
+            Self::Tremaux(mind) => mind.decide(look, said),
+            Self::DepthFirst(mind) => mind.decide(look, said),
+            Self::FloodFill(mind) => mind.decide(look, said),
         }
     }
 }

@@ -27,7 +27,7 @@ const MOST_STOPS: u32 = 1 << 25;
 /// use line_maze_lab::explorer::name::Name;
 /// use line_maze_lab::{maze::samples, run, settings::Settings};
 /// let run = run::record(&samples::figure_3_1(), &Settings::default(), Name::RightHand)?;
-/// assert_eq!(run.outcome(), Outcome::Circling { first: 1, again: 6 });
+/// assert_eq!(run.outcome(), Outcome::Circling { first: 1, again: 15 });
 /// # Ok::<(), line_maze_lab::world::CannotStart>(())
 /// ```
 ///
