@@ -14,6 +14,7 @@ pub mod edit;
 pub mod file;
 pub mod generate;
 pub mod json;
+pub mod micromouse;
 mod polyline;
 pub mod samples;
 mod scale;

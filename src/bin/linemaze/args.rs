@@ -48,12 +48,13 @@ pub(crate) enum Command {
         after_help = "Example: linemaze generate --size 9x6 --loops 25% --dead-ends 80% --seed 1924 > mine.maze"
     )]
     Generate(Generate),
-    /// Write a maze in another format; OUT's extension chooses: .maze, .json or .svg.
+    /// Write a maze in another format; OUT's extension chooses.
     #[command(after_help = "What IN is, its content tells. OUT is replaced if it exists.")]
     Convert {
         #[arg(value_name = "IN", help = MAZE_HELP)]
         from: PathBuf,
-        /// The file to write: .maze (text), .json (for programs) or .svg (a picture in true size)
+        /// The file to write: .maze (text), .json (for programs), .svg (a picture in true size); walls also as
+        /// micromouse files: .txt (drawing), .map, .num (mms), .maz (256 bytes)
         #[arg(value_name = "OUT")]
         to: PathBuf,
     },
@@ -62,7 +63,8 @@ pub(crate) enum Command {
 const RUN_STATUS: &str =
     "Exit status: 0 finish reached, 1 any other outcome, 2 the input or the arguments make no sense.";
 
-const MAZE_HELP: &str = "A maze file of any readable format (.maze, JSON), or - for standard input";
+const MAZE_HELP: &str =
+    "A maze file of any readable format (.maze, JSON, micromouse), or - for standard input";
 
 /// What `run` and `trace` take.
 #[derive(Args)]
