@@ -20,6 +20,7 @@ pub mod samples;
 mod scale;
 pub mod svg;
 pub mod text;
+pub mod walls;
 
 pub use bounds::{Bounds, BoundsError, MAX_COORDINATE, MAX_SIDE};
 pub use scale::{Scale, ScaleError, millimetres};
