@@ -108,6 +108,11 @@ impl Maze {
         self.bounds.index(at).map_or(Ways::NONE, |index| self.ways[index])
     }
 
+    /// The ways out of every point, row by row from the south-west.
+    pub(crate) fn all_ways(&self) -> &[Ways] {
+        &self.ways
+    }
+
     /// Whether a line leaves the point in this direction.
     #[must_use]
     pub fn has_line(&self, at: Point, heading: Heading) -> bool {
