@@ -77,7 +77,9 @@ impl fmt::Display for Strayed {
             }
             Self::DeadEnd { at } => write!(f, "the turn list leads to the dead end {at}"),
             Self::ListTooShort { at } => write!(f, "the turn list has no letter for the node at {at}"),
-            Self::Circling { at } => write!(f, "a ring without nodes: the robot comes by {at} again and again"),
+            Self::Circling { at } => {
+                write!(f, "a ring without nodes: the robot comes by {at} again and again")
+            }
         }
     }
 }
