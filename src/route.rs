@@ -18,7 +18,7 @@ mod turn_list;
 pub use follow::Strayed;
 pub use turn_list::{Corners, NotATurn, TurnList};
 
-use follow::{End, follow};
+use follow::{End, Floor, follow};
 use tally::Tally;
 
 /// A stop of round 2.
@@ -153,7 +153,7 @@ const fn leads(at: Point, heading: Heading, to: Point) -> bool {
 
 /// A drive that grows cell by cell.
 struct Way<'m> {
-    maze: &'m Maze,
+    floor: Floor<'m>,
     route: Route,
     at: Point,
     heading: Heading,
@@ -164,23 +164,24 @@ struct Way<'m> {
 
 impl<'m> Way<'m> {
     const fn new(maze: &'m Maze, start: Start) -> Self {
+        let floor = Floor::new(maze, start.at);
         let route =
             Route { start: start.at, start_turn: Turn::Straight, start_letter: None, legs: Vec::new() };
-        Self { maze, route, at: start.at, heading: start.heading, cells: 0, letters: 0 }
+        Self { floor, route, at: start.at, heading: start.heading, cells: 0, letters: 0 }
     }
 
     /// Drives one cell on; none where there is no line.
     fn cell(&mut self, heading: Heading) -> Option<()> {
-        let ways = self.maze.ways(self.at);
-        if !ways.has(heading) {
+        if !self.floor.maze.has_line(self.at, heading) {
             return None;
         }
         let turn = self.heading.turn_to(heading);
+        let choice = self.floor.is_choice(self.at);
         if self.cells == 0 && self.route.legs.is_empty() {
             self.route.start_turn = turn;
-            self.route.start_letter = (ways.count() > 1).then(|| self.next_letter());
-        } else if turn != Turn::Straight || ways.count() > 2 || self.maze.is_finish(self.at) {
-            let letter = (turn == Turn::Back || ways.count() > 2).then(|| self.next_letter());
+            self.route.start_letter = choice.then(|| self.next_letter());
+        } else if turn != Turn::Straight || self.floor.is_stop(self.at, self.heading) {
+            let letter = (choice || turn == Turn::Back).then(|| self.next_letter());
             self.stop(Some(turn), letter);
         }
         (self.at, self.heading, self.cells) = (self.at.step(heading), heading, self.cells + 1);

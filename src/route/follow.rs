@@ -1,7 +1,8 @@
 //! Following a turn list: where it leads in a maze, and where it leaves the line.
 //!
-//! At a start with several ways the first letter says which; with one way the robot turns along it by itself,
-//! as it does at corners. At a dead end that is not the finish only `B` leads on.
+//! At a start with several ways the first letter says which, and coming over it again takes a letter too, as at a
+//! node; with one way the robot turns along it by itself, as it does at corners. At a dead end that is not the
+//! finish only `B` leads on.
 
 use alloc::vec::Vec;
 use core::fmt;
@@ -59,11 +60,6 @@ pub enum Strayed {
         /// Where.
         at: Point,
     },
-    /// Round and round without a letter: a ring without nodes.
-    Circling {
-        /// Where it came by again.
-        at: Point,
-    },
 }
 
 impl fmt::Display for Strayed {
@@ -77,9 +73,6 @@ impl fmt::Display for Strayed {
             }
             Self::DeadEnd { at } => write!(f, "the turn list leads to the dead end {at}"),
             Self::ListTooShort { at } => write!(f, "the turn list has no letter for the node at {at}"),
-            Self::Circling { at } => {
-                write!(f, "a ring without nodes: the robot comes by {at} again and again")
-            }
         }
     }
 }
@@ -102,7 +95,8 @@ impl core::error::Error for Strayed {}
 /// ```
 #[must_use]
 pub fn follow(maze: &Maze, start: Start, list: &TurnList, corners: Corners) -> Followed {
-    let mut robot = Robot { maze, at: start.at, heading: start.heading, list, used: 0, corners };
+    let floor = Floor::new(maze, start.at);
+    let mut robot = Robot { floor, at: start.at, heading: start.heading, list, used: 0, corners };
     let mut route =
         Route { start: start.at, start_turn: Turn::Straight, start_letter: None, legs: Vec::new() };
     if maze.is_finish(start.at) {
@@ -119,7 +113,7 @@ pub fn follow(maze: &Maze, start: Start, list: &TurnList, corners: Corners) -> F
 }
 
 struct Robot<'m> {
-    maze: &'m Maze,
+    floor: Floor<'m>,
     at: Point,
     heading: Heading,
     list: &'m TurnList,
@@ -146,7 +140,7 @@ impl Robot<'_> {
     }
 
     fn leave_start(&mut self) -> Result<(Turn, Option<usize>), Strayed> {
-        let ways = self.maze.ways(self.at);
+        let ways = self.floor.maze.ways(self.at);
         match (ways, ways.only()) {
             (Ways::NONE, _) => Err(Strayed::NoWay { at: self.at }),
             (_, Some(way)) => self.forced(self.heading.turn_to(way)),
@@ -156,8 +150,9 @@ impl Robot<'_> {
 
     /// What to do at a stop that is not the finish.
     fn turn(&mut self) -> Result<(Turn, Option<usize>), Strayed> {
-        let onward = self.maze.ways(self.at).without(self.heading.opposite());
+        let onward = self.floor.maze.ways(self.at).without(self.heading.opposite());
         match (onward.count(), onward.only()) {
+            _ if self.floor.is_choice(self.at) => self.letter(),
             (0, _) => match self.letter() {
                 Ok(back @ (Turn::Back, _)) => Ok(back),
                 _ => Err(Strayed::DeadEnd { at: self.at }),
@@ -168,16 +163,14 @@ impl Robot<'_> {
     }
 
     fn drive(&mut self, legs: &mut Vec<Leg>, mut turn: Turn) -> End {
-        // Where the first stop after the last letter was: nothing new comes after it comes again.
-        let mut ring = None;
         loop {
             let heading = self.heading.turned(turn);
-            let Some((at, cells)) = to_stop(self.maze, self.at, heading) else {
+            let Some((at, cells)) = self.floor.to_stop(self.at, heading) else {
                 return End::Strayed(Strayed::NoLine { letter: self.used, at: self.at });
             };
             (self.at, self.heading) = (at, heading);
             legs.push(Leg { at, heading, cells, turn: None, letter: None });
-            if self.maze.is_finish(at) {
+            if self.floor.maze.is_finish(at) {
                 return End::Finish { left_over: self.list.turns().len() - self.used };
             }
             let letter;
@@ -188,30 +181,45 @@ impl Robot<'_> {
             if let Some(leg) = legs.last_mut() {
                 (leg.turn, leg.letter) = (Some(turn), letter);
             }
-            ring = match (letter, ring) {
-                (Some(_), _) => None,
-                (None, None) => Some((at, heading)),
-                (None, Some(first)) if first == (at, heading) => {
-                    return End::Strayed(Strayed::Circling { at });
-                }
-                (None, first) => first,
-            };
         }
     }
 }
 
-/// Drives on to the next stop (node, corner, dead end or finish) and counts the cells; none where there is no
-/// line.
-pub(super) fn to_stop(maze: &Maze, from: Point, heading: Heading) -> Option<(Point, u32)> {
-    if !maze.has_line(from, heading) {
-        return None;
+/// A maze as a line robot that was put down at `start` finds it.
+#[derive(Clone, Copy)]
+pub(super) struct Floor<'m> {
+    pub(super) maze: &'m Maze,
+    start: Point,
+}
+
+impl<'m> Floor<'m> {
+    pub(super) const fn new(maze: &'m Maze, start: Point) -> Self {
+        Self { maze, start }
     }
-    let straight = Ways::NONE.with(heading).with(heading.opposite());
-    let mut at = from.step(heading);
-    let mut cells = 1;
-    while maze.ways(at) == straight && !maze.is_finish(at) {
-        at = at.step(heading);
-        cells += 1;
+
+    /// Whether there is something to decide: at nodes, and at a start with several ways.
+    pub(super) fn is_choice(self, at: Point) -> bool {
+        self.maze.ways(at).count() > if at == self.start { 1 } else { 2 }
     }
-    Some((at, cells))
+
+    /// Whether the robot stops here on its way straight on.
+    pub(super) fn is_stop(self, at: Point, heading: Heading) -> bool {
+        let straight = Ways::NONE.with(heading).with(heading.opposite());
+        self.maze.ways(at) != straight || at == self.start || self.maze.is_finish(at)
+    }
+
+    /// Drives on to the next stop (node, corner, dead end, finish, or the start again) and counts the cells;
+    /// none where there is no line.
+    fn to_stop(self, from: Point, heading: Heading) -> Option<(Point, u32)> {
+        if !self.maze.has_line(from, heading) {
+            return None;
+        }
+        let mut at = from.step(heading);
+        let mut cells = 1;
+        while !self.is_stop(at, heading) {
+            at = at.step(heading);
+            cells += 1;
+        }
+        Some((at, cells))
+    }
 }

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use line_maze_lab::maze::MAX_SIDE;
-use line_maze_lab::settings::{NODE_MAX, Order, Pace, Settings};
+use line_maze_lab::settings::{NODE_MAX, Order, Pace, PaceError, Settings, limits};
 use line_maze_lab::trace::MAX_NODES;
 
 /// Explore line mazes as a robot does that cannot see them: stop by stop, by the algorithm of a book.
@@ -180,15 +180,10 @@ fn percent(text: &str) -> Result<u8, String> {
     }
 }
 
-fn speed(text: &str) -> Result<f64, String> {
-    let positive = |speed: &f64| speed.is_finite() && *speed > 0.0;
-    text.parse()
-        .ok()
-        .filter(positive)
-        .ok_or_else(|| "a speed is a number above 0, in millimetres a second".to_owned())
+fn speed(text: &str) -> Result<f64, PaceError> {
+    text.parse().map_err(|_| PaceError::Speed).and_then(limits::speed)
 }
 
-fn seconds(text: &str) -> Result<f64, String> {
-    let sound = |seconds: &f64| (0.0..=60.0).contains(seconds);
-    text.parse().ok().filter(sound).ok_or_else(|| "a time is a number of seconds from 0 to 60".to_owned())
+fn seconds(text: &str) -> Result<f64, PaceError> {
+    text.parse().map_err(|_| PaceError::Seconds).and_then(limits::seconds)
 }

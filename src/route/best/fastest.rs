@@ -9,6 +9,7 @@ use core::cmp::{Ordering, Reverse};
 use super::finishes;
 use crate::geometry::{Heading, Point, Turn, Ways};
 use crate::maze::{Maze, Start};
+use crate::route::follow::Floor;
 use crate::route::tally::Tally;
 use crate::settings::Pace;
 
@@ -81,6 +82,7 @@ pub(super) fn search(maze: &Maze, start: Start, pace: &Pace) -> Option<Vec<Headi
     let cost = |tally: Tally| Reverse(Cost(tally.seconds(cell_mm, pace), tally.cells));
     let bounds = maze.bounds();
     let finishes = finishes(maze);
+    let floor = Floor::new(maze, start.at);
     let mut reached = vec![Ways::NONE; bounds.len()];
     let mut settled: Vec<Settled> = Vec::new();
     let first = Tally::default();
@@ -92,7 +94,7 @@ pub(super) fn search(maze: &Maze, start: Start, pace: &Pace) -> Option<Vec<Headi
         if finishes[index] {
             let starts = settled.is_empty();
             settled.push(Settled { before, left });
-            return Some(if starts { Vec::new() } else { retrace(maze, start.at, &settled) });
+            return Some(if starts { Vec::new() } else { retrace(floor, start.at, &settled) });
         }
         if reached[index].has(heading) {
             continue;
@@ -103,7 +105,7 @@ pub(super) fn search(maze: &Maze, start: Start, pace: &Pace) -> Option<Vec<Headi
         for turn in Turn::ALL {
             if turn != Turn::Back || this == 0 {
                 let left = heading.turned(turn);
-                let next = follow(maze, &finishes, tally.turned(turn), at, left);
+                let next = follow(floor, &finishes, tally.turned(turn), at, left);
                 todo.extend(next.map(|(tally, at, heading)| Drive {
                     cost: cost(tally),
                     tally,
@@ -118,15 +120,16 @@ pub(super) fn search(maze: &Maze, start: Start, pace: &Pace) -> Option<Vec<Headi
     None
 }
 
-/// Drives on to the next node or finish; none where there is no line, or it ends, or comes back to where the
+/// Drives on to the next choice or finish; none where there is no line, or it ends, or comes back to where the
 /// drive began.
 fn follow(
-    maze: &Maze,
+    floor: Floor<'_>,
     finishes: &[bool],
     mut tally: Tally,
     from: Point,
     mut heading: Heading,
 ) -> Option<(Tally, Point, Heading)> {
+    let maze = floor.maze;
     let (mut at, mut cells) = (from, 0);
     if !maze.has_line(at, heading) {
         return None;
@@ -138,7 +141,7 @@ fn follow(
             return None;
         }
         let ways = maze.ways(at);
-        if ways.count() > 2 || finishes[maze.bounds().index(at)?] {
+        if floor.is_choice(at) || finishes[maze.bounds().index(at)?] {
             return Some((tally.driven(cells), at, heading));
         }
         let next = ways.without(heading.opposite()).only()?;
@@ -150,7 +153,7 @@ fn follow(
 }
 
 /// The cells of the way that the last settled drive ends.
-fn retrace(maze: &Maze, start: Point, settled: &[Settled]) -> Vec<Heading> {
+fn retrace(floor: Floor<'_>, start: Point, settled: &[Settled]) -> Vec<Heading> {
     let mut lefts = Vec::new();
     let mut nth = settled.len() - 1;
     while nth > 0 {
@@ -164,9 +167,9 @@ fn retrace(maze: &Maze, start: Point, settled: &[Settled]) -> Vec<Heading> {
         loop {
             headings.push(heading);
             at = at.step(heading);
-            let ways = maze.ways(at);
-            match ways.without(heading.opposite()).only() {
-                Some(next) if ways.count() <= 2 && !maze.is_finish(at) => heading = next,
+            let onward = floor.maze.ways(at).without(heading.opposite());
+            match onward.only() {
+                Some(next) if !floor.is_choice(at) && !floor.maze.is_finish(at) => heading = next,
                 _ => break,
             }
         }
