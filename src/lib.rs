@@ -19,6 +19,7 @@ mod grouped;
 pub mod ink;
 pub mod maze;
 pub mod playback;
+pub mod recording;
 pub mod report;
 pub mod route;
 pub mod run;

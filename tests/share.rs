@@ -26,7 +26,7 @@ fn settings() -> impl Strategy<Value = Settings> {
         }),
     ];
     (order, any::<Option<u32>>(), any::<u32>(), pace)
-        .prop_map(|(order, epsilon_ms, node_max, pace)| Settings { order, epsilon_ms, node_max, pace })
+        .prop_map(|(order, epsilon_ms, node_max, pace)| Settings { order, epsilon_ms, node_max, pace, ..Settings::default() })
 }
 
 fn shared() -> impl Strategy<Value = Shared> {

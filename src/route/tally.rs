@@ -20,6 +20,9 @@ pub struct Tally {
 }
 
 impl Tally {
+    /// Nothing driven yet.
+    pub const NONE: Self = Self { cells: 0, right_turns: 0, left_turns: 0, u_turns: 0, stops: 0 };
+
     /// This much, and a turn.
     #[must_use]
     pub const fn turned(self, turn: Turn) -> Self {

@@ -102,7 +102,7 @@ pub(crate) struct Explore {
 
 impl Explore {
     /// The settings that the options make.
-    pub(crate) const fn settings(&self) -> Settings {
+    pub(crate) fn settings(&self) -> Settings {
         match self.explorer {
             Explorer::Book => Settings {
                 order: self.order,
@@ -114,6 +114,7 @@ impl Explore {
                     uturn_s: self.uturn_s,
                     stop_s: self.stop_s,
                 },
+                ..Settings::default()
             },
         }
     }

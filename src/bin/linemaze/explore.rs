@@ -60,8 +60,11 @@ fn explored(args: &Explore) -> Result<(Maze, Settings, Trace), Failure> {
 
 const fn status(trace: &Trace) -> Status {
     match trace.outcome() {
-        Outcome::Finish => Status::Good,
+        Outcome::Finish | Outcome::Mapped => Status::Good,
         Outcome::NoFinishReachable
+        | Outcome::Circling { .. }
+        | Outcome::Stuck
+        | Outcome::PathFull { .. }
         | Outcome::TableFull { .. }
         | Outcome::NoLine { .. }
         | Outcome::TooManyStops { .. } => Status::Bad,

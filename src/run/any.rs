@@ -1,0 +1,137 @@
+//! A run, whoever drove: the book's explorer leaves a [`Trace`], every other one a [`Recording`].
+
+use crate::event::Outcome;
+use crate::explorer::name::Name;
+use crate::playback::{Mark, Timeline};
+use crate::recording::Recording;
+use crate::route::tally::Tally;
+use crate::trace::Trace;
+
+/// A run.
+#[derive(Clone, Debug)]
+pub enum AnyRun {
+    /// Of the book's explorer.
+    Book(BookRun),
+    /// Of any other.
+    Other(Recording),
+}
+
+/// A run of the book's explorer, with the counts of its drive.
+#[derive(Clone, Debug)]
+pub struct BookRun {
+    trace: Trace,
+    cell_ms: u32,
+    tallies: alloc::vec::Vec<Tally>,
+}
+
+/// Stops between two counts of the drive.
+const TALLY_EVERY: usize = 64;
+
+impl BookRun {
+    pub(super) fn new(trace: Trace, cell_ms: u32) -> Self {
+        let mut run = Self { trace, cell_ms: cell_ms.max(1), tallies: alloc::vec![Tally::NONE] };
+        for key in 1..=run.trace.steps().len() / TALLY_EVERY {
+            let tally = run.tally((key * TALLY_EVERY) as u32);
+            run.tallies.push(tally);
+        }
+        run
+    }
+
+    /// The whole trace.
+    #[must_use]
+    pub const fn trace(&self) -> &Trace {
+        &self.trace
+    }
+
+    /// What was driven up to the arrival at a stop.
+    fn tally(&self, stop: u32) -> Tally {
+        let steps = self.trace.steps();
+        let stop = (stop as usize).min(steps.len());
+        let key = (stop / TALLY_EVERY).min(self.tallies.len() - 1);
+        let mut tally = self.tallies[key];
+        for at in key * TALLY_EVERY..stop {
+            if let Some(turn) = at.checked_sub(1).and_then(|before| steps[before].turn()) {
+                tally = tally.turned(turn);
+            }
+            tally = tally.driven(steps[at].time_diff() / self.cell_ms);
+        }
+        tally
+    }
+}
+
+impl AnyRun {
+    /// Who drove.
+    #[must_use]
+    pub const fn name(&self) -> Name {
+        match self {
+            Self::Book(_) => Name::Book,
+            Self::Other(run) => run.name(),
+        }
+    }
+
+    /// How the run ended.
+    #[must_use]
+    pub const fn outcome(&self) -> Outcome {
+        match self {
+            Self::Book(run) => run.trace.outcome(),
+            Self::Other(run) => run.outcome(),
+        }
+    }
+
+    /// What was driven up to the arrival at a stop: the turns of the stops before it are in it, its own is
+    /// not. Costs the same at any stop.
+    #[must_use]
+    pub fn tally(&self, stop: u32) -> Tally {
+        match self {
+            Self::Book(run) => run.tally(stop),
+            Self::Other(run) => run.tally(stop),
+        }
+    }
+
+    /// The first stop at which the robot has driven so many cells; the last stop if it never does.
+    #[must_use]
+    pub fn stop_at_cells(&self, cells: u32) -> u32 {
+        self.first(|tally| tally.cells >= cells)
+    }
+
+    /// The first stop whose arrival makes this true, which then must stay true; the last stop if none does.
+    #[must_use]
+    pub fn first(&self, reached: impl Fn(Tally) -> bool) -> u32 {
+        let (mut least, mut most) = (0, self.stops());
+        while least < most {
+            let middle = least + (most - least) / 2;
+            if reached(self.tally(middle)) { most = middle } else { least = middle + 1 }
+        }
+        least
+    }
+}
+
+impl Timeline for AnyRun {
+    fn stops(&self) -> u32 {
+        match self {
+            Self::Book(run) => run.trace.stops(),
+            Self::Other(run) => run.stops(),
+        }
+    }
+
+    fn lines(&self, stop: u32) -> u8 {
+        match self {
+            Self::Book(run) => run.trace.lines(stop),
+            Self::Other(run) => run.lines(stop),
+        }
+    }
+
+    fn drive_ms(&self, stop: u32) -> u32 {
+        match self {
+            Self::Book(run) => run.trace.drive_ms(stop),
+            Self::Other(run) => run.drive_ms(stop),
+        }
+    }
+
+    fn mark(&self, stop: u32) -> Mark {
+        match self {
+            Self::Book(run) => run.trace.mark(stop),
+            Self::Other(run) => run.mark(stop),
+        }
+    }
+}

@@ -1,0 +1,9 @@
+//! The explorers of the other sources against what those sources print: figures, tables and runs.
+#![allow(clippy::unwrap_used, clippy::expect_used, missing_docs)]
+
+mod support;
+
+#[path = "explorers/hands.rs"]
+mod hands;
+#[path = "explorers/recordings.rs"]
+mod recordings;
