@@ -2,12 +2,10 @@
 //! faces at the start.
 //!
 //! The shortest is a breadth-first search over cells; of all shortest ways the quickest is taken. The quickest is
-//! Dijkstra's search over stops and the headings on arrival, as a turn costs time.
+//! an A* search over stops and the headings on arrival, as a turn costs time.
 
 mod fastest;
 mod shortest;
-
-use alloc::vec::Vec;
 
 use super::{Route, Way};
 use crate::geometry::Heading;
@@ -75,13 +73,4 @@ fn drive(maze: &Maze, start: Start, headings: &[Heading]) -> Option<Route> {
         way.cell(heading)?;
     }
     Some(way.end())
-}
-
-/// Whether every point, row by row from the south-west, is part of the finish.
-fn finishes(maze: &Maze) -> Vec<bool> {
-    let mut finishes = alloc::vec![false; maze.bounds().len()];
-    for index in maze.finish().iter().filter_map(|&at| maze.bounds().index(at)) {
-        finishes[index] = true;
-    }
-    finishes
 }

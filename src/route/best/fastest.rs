@@ -1,19 +1,20 @@
-//! The quickest way: Dijkstra's search over stops (nodes and the finish) and the headings on arrival; corners and
-//! straight line between two stops leave no choice and are driven at once.
+//! The quickest way: A* over stops (nodes and the finish) and the headings on arrival; corners and straight line
+//! between two stops leave no choice and are driven at once. What is left is at least the cells to the finish
+//! without a turn.
 
 use alloc::collections::BinaryHeap;
 use alloc::vec;
 use alloc::vec::Vec;
 use core::cmp::{Ordering, Reverse};
 
-use super::finishes;
+use super::shortest::{FAR, Reach, distances};
 use crate::geometry::{Heading, Point, Turn, Ways};
 use crate::maze::{Maze, Start};
 use crate::route::follow::Floor;
 use crate::route::tally::Tally;
 use crate::settings::Pace;
 
-/// Seconds, and what decides between equals.
+/// Seconds up to here and at least from here, and what decides between equals.
 #[derive(Clone, Copy, Debug)]
 struct Cost(f64, u32);
 
@@ -79,19 +80,33 @@ struct Settled {
 /// back to where the drive has been already.
 pub(super) fn search(maze: &Maze, start: Start, pace: &Pace) -> Option<Vec<Heading>> {
     let cell_mm = maze.scale.cell_mm();
-    let cost = |tally: Tally| Reverse(Cost(tally.seconds(cell_mm, pace), tally.cells));
     let bounds = maze.bounds();
-    let finishes = finishes(maze);
+    let far = distances(maze, &Reach::All);
+    if far[bounds.index(start.at)?] == FAR {
+        return None;
+    }
+    // Cells from a stop to the finish; the drive is in the same piece of line as the start, so there is a way.
+    let left = |at: Point| bounds.index(at).map_or(0, |index| far[index]);
+    let cost = |tally: Tally, at: Point| {
+        let cells = tally.cells + left(at);
+        Reverse(Cost(Tally { cells, ..tally }.seconds(cell_mm, pace), left(at)))
+    };
     let floor = Floor::new(maze, start.at);
     let mut reached = vec![Ways::NONE; bounds.len()];
     let mut settled: Vec<Settled> = Vec::new();
     let first = Tally::default();
     let Start { at, heading } = start;
-    let mut todo =
-        BinaryHeap::from([Drive { cost: cost(first), tally: first, at, heading, before: 0, left: heading }]);
+    let mut todo = BinaryHeap::from([Drive {
+        cost: cost(first, at),
+        tally: first,
+        at,
+        heading,
+        before: 0,
+        left: heading,
+    }]);
     while let Some(Drive { tally, at, heading, before, left, .. }) = todo.pop() {
         let index = bounds.index(at)?;
-        if finishes[index] {
+        if far[index] == 0 {
             let starts = settled.is_empty();
             settled.push(Settled { before, left });
             return Some(if starts { Vec::new() } else { retrace(floor, start.at, &settled) });
@@ -105,9 +120,9 @@ pub(super) fn search(maze: &Maze, start: Start, pace: &Pace) -> Option<Vec<Headi
         for turn in Turn::ALL {
             if turn != Turn::Back || this == 0 {
                 let left = heading.turned(turn);
-                let next = follow(floor, &finishes, tally.turned(turn), at, left);
+                let next = follow(floor, &far, tally.turned(turn), at, left);
                 todo.extend(next.map(|(tally, at, heading)| Drive {
-                    cost: cost(tally),
+                    cost: cost(tally, at),
                     tally,
                     at,
                     heading,
@@ -124,7 +139,7 @@ pub(super) fn search(maze: &Maze, start: Start, pace: &Pace) -> Option<Vec<Headi
 /// drive began.
 fn follow(
     floor: Floor<'_>,
-    finishes: &[bool],
+    far: &[u32],
     mut tally: Tally,
     from: Point,
     mut heading: Heading,
@@ -141,7 +156,7 @@ fn follow(
             return None;
         }
         let ways = maze.ways(at);
-        if floor.is_choice(at) || finishes[maze.bounds().index(at)?] {
+        if floor.is_choice(at) || far[maze.bounds().index(at)?] == 0 {
             return Some((tally.driven(cells), at, heading));
         }
         let next = ways.without(heading.opposite()).only()?;

@@ -9,13 +9,13 @@ use crate::maze::{Bounds, Maze, Start};
 use crate::route::tally::Tally;
 use crate::settings::Pace;
 
-/// No distance yet.
-const FAR: u32 = u32::MAX;
+/// No way leads there, or it is out of reach.
+pub(super) const FAR: u32 = u32::MAX;
 
 /// The headings of a shortest way, a cell each.
 pub(super) fn search(maze: &Maze, start: Start, pace: &Pace) -> Option<Vec<Heading>> {
     let from = maze.bounds().index(start.at)?;
-    let far = distances(maze, from);
+    let far = distances(maze, &Reach::To(from));
     if far[from] == FAR {
         return None;
     }
@@ -37,10 +37,24 @@ fn width(bounds: Bounds) -> usize {
     bounds.width() as usize
 }
 
-/// Cells to the nearest finish, for every point that is not further than `from`.
-fn distances(maze: &Maze, from: usize) -> Vec<u32> {
+/// How far distances are needed.
+pub(super) enum Reach {
+    /// Up to this point, by index.
+    To(usize),
+    /// Everywhere.
+    All,
+}
+
+/// Cells to the nearest finish, for every point within reach; [`FAR`] elsewhere.
+pub(super) fn distances(maze: &Maze, reach: &Reach) -> Vec<u32> {
     let (bounds, ways) = (maze.bounds(), maze.all_ways());
-    let width = width(bounds);
+    let width = width(bounds) as isize;
+    // Clockwise from north, as the bits of a set of ways.
+    let steps = [width, 1, -width, -1];
+    let last = match *reach {
+        Reach::To(index) => index,
+        Reach::All => usize::MAX,
+    };
     let mut far = vec![FAR; bounds.len()];
     let mut todo: Vec<u32> = Vec::with_capacity(bounds.len());
     for index in maze.finish().iter().filter_map(|&at| bounds.index(at)) {
@@ -50,13 +64,15 @@ fn distances(maze: &Maze, from: usize) -> Vec<u32> {
     let mut done = 0;
     while let Some(&index) = todo.get(done) {
         let index = index as usize;
-        if index == from {
+        if index == last {
             break;
         }
         done += 1;
         let one_more = far[index] + 1;
-        for heading in ways[index].iter() {
-            let near = next(index, heading, width);
+        let mut bits = ways[index].bits();
+        while bits != 0 {
+            let near = index.wrapping_add_signed(steps[(bits.trailing_zeros() & 3) as usize]);
+            bits &= bits - 1;
             if far[near] == FAR {
                 far[near] = one_more;
                 todo.push(near as u32);
