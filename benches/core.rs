@@ -90,6 +90,17 @@ fn floor(c: &mut Criterion) {
     group.finish();
 }
 
+/// The best routes of a maze that is known. Budget: the shortest of 500 × 500 in at most 10 ms.
+fn routes(c: &mut Criterion) {
+    let mut maze = maze(500, 10);
+    maze.set_finish(vec![maze.bounds().ne()]);
+    let (start, pace) = (maze.start().unwrap(), settings().pace);
+    let mut group = c.benchmark_group("routes/500 × 500");
+    group.bench_function("shortest", |b| b.iter(|| best::shortest_route(&maze, start, &pace).unwrap()));
+    group.bench_function("fastest", |b| b.iter(|| best::fastest_route(&maze, start, &pace).unwrap()));
+    group.finish();
+}
+
 /// A maze of 200 × 200 points.
 fn files(c: &mut Criterion) {
     let maze = maze(200, 10);
@@ -101,5 +112,5 @@ fn files(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, explorer, jump, floor, files);
+criterion_group!(benches, explorer, jump, floor, routes, files);
 criterion_main!(benches);

@@ -228,9 +228,9 @@ impl Recording {
     pub fn tally(&self, stop: u32) -> Tally {
         let stop = stop.min(self.stops()) as usize;
         let key = stop / TALLY_EVERY;
-        self.steps[key * TALLY_EVERY..=stop].windows(2).fold(self.tallies[key], |tally, pair| {
-            on(tally, pair[0]).driven(pair[1].cells_from(pair[0]))
-        })
+        self.steps[key * TALLY_EVERY..=stop]
+            .windows(2)
+            .fold(self.tallies[key], |tally, pair| on(tally, pair[0]).driven(pair[1].cells_from(pair[0])))
     }
 
     /// A stop, with the mind as it was when the stop was over; past the end, the last stop.

@@ -6,6 +6,10 @@ use core::str::FromStr;
 use crate::geometry::Turn;
 use crate::maze::Scale;
 
+pub mod limits;
+
+pub use limits::PaceError;
+
 /// In which order a robot tries the ways out of a node.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Order {

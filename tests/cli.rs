@@ -320,10 +320,47 @@ fn convert_goes_by_content_and_by_extension() {
     for unknown in ["figure.png", "figure"] {
         let said = convert(FIGURE, &scratch(unknown));
         assert_eq!(said.status, 2);
-        assert!(said.err.contains("it is .maze, .json or .svg"), "{}", said.err);
+        assert!(said.err.contains("it is .maze, .json or .svg, or for walls .txt"), "{}", said.err);
         assert!(!scratch(unknown).exists());
     }
     assert_eq!(convert(FIGURE, Path::new("/nowhere/at/all.maze")).status, 2);
+}
+
+#[test]
+fn walls_go_through_micromouse_files_and_back() {
+    let walls =
+        linemaze(&["generate", "--kind", "wall", "--size", "16x16", "--seed", "3", "--dead-ends", "0"]).out;
+    let walls_path = scratch("walls.maze");
+    std::fs::write(&walls_path, &walls).unwrap();
+    let convert =
+        |from: &Path, to: &Path| linemaze(&["convert", from.to_str().unwrap(), to.to_str().unwrap()]);
+    let report = |path: &Path| linemaze(&["run", path.to_str().unwrap(), "--node-max", "999", "--json"]).out;
+    let drawn = scratch("walls.txt");
+    assert_eq!(convert(&walls_path, &drawn).err, "");
+    assert!(std::fs::read_to_string(&drawn).unwrap().starts_with("o---o"), "a drawing of posts and walls");
+    assert_eq!(report(&drawn), report(&walls_path));
+    let refused = convert(&drawn, &scratch("walls.maz"));
+    assert_eq!(refused.status, 2);
+    assert!(refused.err.contains("the finish is not written and means the centre"), "{}", refused.err);
+    let unfinished = scratch("unfinished.txt");
+    std::fs::write(&unfinished, std::fs::read_to_string(&drawn).unwrap().replace('G', " ")).unwrap();
+    for (from, to) in
+        [("unfinished.txt", "walls.maz"), ("walls.maz", "walls.num"), ("walls.num", "again.txt")]
+    {
+        assert_eq!(convert(&scratch(from), &scratch(to)).err, "");
+    }
+    assert_eq!(std::fs::read(scratch("walls.maz")).unwrap().len(), 256);
+    assert_eq!(std::fs::read(scratch("again.txt")).unwrap(), std::fs::read(&unfinished).unwrap());
+    let lines = convert(Path::new(FIGURE), &scratch("figure.txt"));
+    assert_eq!(lines.status, 2);
+    assert!(lines.err.contains("this maze is drawn as lines; make its kind “wall” first"), "{}", lines.err);
+    let bad = linemaze(&["check", "tests/fixtures/bad/mouse-ragged-short.txt"]);
+    assert_eq!(bad.status, 2);
+    assert!(
+        bad.err.starts_with("tests/fixtures/bad/mouse-ragged-short.txt:2:13: this line has 12"),
+        "{}",
+        bad.err
+    );
 }
 
 #[test]

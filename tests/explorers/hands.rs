@@ -62,8 +62,7 @@ fn figure_1_right_first() {
 fn figure_1_left_first() {
     let run = recording(&sakib_1(), Name::DirectionSumLeft);
     let arrays: Vec<Vec<u8>> = sums(&run).into_iter().map(|(_, a)| a).collect();
-    let expected: [&[u8]; 7] =
-        [&[3], &[3, 2], &[3, 2], &[3, 1], &[3, 1, 2], &[3, 1, 2], &[3, 1, 1]];
+    let expected: [&[u8]; 7] = [&[3], &[3, 2], &[3, 2], &[3, 1], &[3, 1, 2], &[3, 1, 2], &[3, 1, 1]];
     assert_eq!(arrays[..7], expected);
     assert_eq!((run.stops(), letters(&run).as_str()), (8, "LRR"));
 }
@@ -89,11 +88,7 @@ fn even_a_small_loop_can_put_a_lap_into_the_array() {
 #[test]
 fn a_finish_inside_a_loop_makes_hands_and_sums_circle() {
     let inside = maze(
-        &[
-            &[(0, 0), (0, 1)],
-            &[(0, 1), (2, 1), (2, 5), (-2, 5), (-2, 1), (0, 1)],
-            &[(0, 5), (0, 3)],
-        ],
+        &[&[(0, 0), (0, 1)], &[(0, 1), (2, 1), (2, 5), (-2, 5), (-2, 1), (0, 1)], &[(0, 5), (0, 3)]],
         (0, 0, Heading::North),
         &[(0, 3)],
     );

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use line_maze_lab::maze::MAX_SIDE;
-use line_maze_lab::settings::{NODE_MAX, Order, Pace, Settings};
+use line_maze_lab::settings::{NODE_MAX, Order, Pace, PaceError, Settings, limits};
 use line_maze_lab::trace::MAX_NODES;
 
 /// Explore line mazes as a robot does that cannot see them: stop by stop, by the algorithm of a book.
@@ -48,12 +48,13 @@ pub(crate) enum Command {
         after_help = "Example: linemaze generate --size 9x6 --loops 25% --dead-ends 80% --seed 1924 > mine.maze"
     )]
     Generate(Generate),
-    /// Write a maze in another format; OUT's extension chooses: .maze, .json or .svg.
+    /// Write a maze in another format; OUT's extension chooses.
     #[command(after_help = "What IN is, its content tells. OUT is replaced if it exists.")]
     Convert {
         #[arg(value_name = "IN", help = MAZE_HELP)]
         from: PathBuf,
-        /// The file to write: .maze (text), .json (for programs) or .svg (a picture in true size)
+        /// The file to write: .maze (text), .json (for programs), .svg (a picture in true size); walls also as
+        /// micromouse files: .txt (drawing), .map, .num (mms), .maz (256 bytes)
         #[arg(value_name = "OUT")]
         to: PathBuf,
     },
@@ -62,7 +63,8 @@ pub(crate) enum Command {
 const RUN_STATUS: &str =
     "Exit status: 0 finish reached, 1 any other outcome, 2 the input or the arguments make no sense.";
 
-const MAZE_HELP: &str = "A maze file of any readable format (.maze, JSON), or - for standard input";
+const MAZE_HELP: &str =
+    "A maze file of any readable format (.maze, JSON, micromouse), or - for standard input";
 
 /// What `run` and `trace` take.
 #[derive(Args)]
@@ -179,15 +181,10 @@ fn percent(text: &str) -> Result<u8, String> {
     }
 }
 
-fn speed(text: &str) -> Result<f64, String> {
-    let positive = |speed: &f64| speed.is_finite() && *speed > 0.0;
-    text.parse()
-        .ok()
-        .filter(positive)
-        .ok_or_else(|| "a speed is a number above 0, in millimetres a second".to_owned())
+fn speed(text: &str) -> Result<f64, PaceError> {
+    text.parse().map_err(|_| PaceError::Speed).and_then(limits::speed)
 }
 
-fn seconds(text: &str) -> Result<f64, String> {
-    let sound = |seconds: &f64| (0.0..=60.0).contains(seconds);
-    text.parse().ok().filter(sound).ok_or_else(|| "a time is a number of seconds from 0 to 60".to_owned())
+fn seconds(text: &str) -> Result<f64, PaceError> {
+    text.parse().map_err(|_| PaceError::Seconds).and_then(limits::seconds)
 }

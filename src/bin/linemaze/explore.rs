@@ -6,7 +6,7 @@ use line_maze_lab::event::Outcome;
 use line_maze_lab::ink::Ink;
 use line_maze_lab::maze::Maze;
 use line_maze_lab::report::{NODE_BYTES, Report, StopReport};
-use line_maze_lab::settings::{MAX_CELL_MS, Settings};
+use line_maze_lab::settings::Settings;
 use line_maze_lab::trace::Trace;
 use serde::Serialize;
 
@@ -50,14 +50,8 @@ pub(crate) fn trace(args: &Explore, out: &mut impl Write) -> Result<Status, Fail
 fn explored(args: &Explore) -> Result<(Maze, Settings, Trace), Failure> {
     let maze = files::read(&args.maze)?;
     let settings = args.settings();
-    let (cell_mm, speed) = (maze.scale.cell_mm(), settings.pace.speed_mm_s);
-    let most = f64::from(MAX_CELL_MS) / 1000.0;
-    if cell_mm / speed > most {
-        return Err(Failure::Message(format!(
-            "--speed {speed}: a cell of {cell_mm} mm would take longer than {most} s; choose {} or more",
-            cell_mm / most
-        )));
-    }
+    let pace = settings.pace.checked(maze.scale);
+    pace.map_err(|error| Failure::Message(format!("--speed {}: {error}", settings.pace.speed_mm_s)))?;
     let name = files::name(&args.maze);
     let trace = line_maze_lab::run::explore(&maze, &settings)
         .map_err(|error| Failure::Message(format!("{name}: {error}")))?;
