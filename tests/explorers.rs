@@ -5,5 +5,9 @@ mod support;
 
 #[path = "explorers/hands.rs"]
 mod hands;
+#[path = "explorers/map.rs"]
+mod map;
 #[path = "explorers/recordings.rs"]
 mod recordings;
+#[path = "explorers/squares.rs"]
+mod squares;

@@ -11,7 +11,7 @@ use line_maze_lab::settings::Settings;
 
 use crate::support::maze;
 
-pub fn recording(maze: &Maze, name: Name) -> Recording {
+pub(crate) fn recording(maze: &Maze, name: Name) -> Recording {
     match record(maze, &Settings::default(), name).unwrap() {
         AnyRun::Other(run) => run,
         AnyRun::Book(_) => panic!("{name} has a recording"),
@@ -43,7 +43,7 @@ fn sums(run: &Recording) -> Vec<(i32, Vec<u8>)> {
         .collect()
 }
 
-pub fn letters(run: &Recording) -> String {
+pub(crate) fn letters(run: &Recording) -> String {
     match run.last().robot().plan() {
         Some(Plan::Letters(letters)) => letters.into_iter().map(Turn::letter).collect(),
         other => panic!("{other:?}"),
