@@ -11,6 +11,7 @@ extern crate alloc;
 #[cfg(all(any(test, feature = "cli"), not(feature = "web")))]
 extern crate std;
 
+pub mod compare;
 pub mod event;
 pub mod explorer;
 pub mod geometry;

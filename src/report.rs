@@ -113,7 +113,7 @@ impl Report {
             left_turns: tally.left_turns,
             u_turns: tally.u_turns,
             seconds: tidy(tally.seconds(cell_mm, pace)),
-            memory_bytes: NODE_BYTES * most_remembered(trace),
+            memory_bytes: book_memory_bytes(trace),
             ptr: trace.state(trace.stops()).ptr,
             route_cells: route.map(|tally| tally.cells),
             route_s: route_s.map(tidy),
@@ -185,6 +185,11 @@ fn driven(trace: &Trace, cell_ms: u32) -> Tally {
     })
 }
 
+/// Bytes that the book's robot needed for the nodes that it remembered at once.
+pub(crate) fn book_memory_bytes(trace: &Trace) -> u32 {
+    NODE_BYTES * most_remembered(trace)
+}
+
 /// Nodes are forgotten from the end of the table, so its highest number says how many it held.
 fn most_remembered(trace: &Trace) -> u32 {
     trace.steps().iter().filter(|step| step.case() == Case::New).map(|step| step.node()).max().unwrap_or(0)
@@ -195,6 +200,6 @@ fn ratio(ours: Option<f64>, best: Option<f64>) -> Option<f64> {
 }
 
 /// Rounded to millionths: 4.4, not 4.400000000000001.
-fn tidy(number: f64) -> f64 {
+pub(crate) fn tidy(number: f64) -> f64 {
     if number < 1e9 { (number * 1e6 + 0.5) as u64 as f64 / 1e6 } else { number }
 }

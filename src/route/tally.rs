@@ -40,6 +40,12 @@ impl Tally {
         Self { cells: self.cells + cells, stops: self.stops + 1, ..self }
     }
 
+    /// Turns of any kind.
+    #[must_use]
+    pub const fn turns(&self) -> u32 {
+        self.right_turns + self.left_turns + self.u_turns
+    }
+
     /// Seconds that it takes with cells of this length.
     ///
     /// ```

@@ -43,6 +43,12 @@ impl BookRun {
         &self.trace
     }
 
+    /// Milliseconds that a cell takes, at least 1.
+    #[must_use]
+    pub const fn cell_ms(&self) -> u32 {
+        self.cell_ms
+    }
+
     /// What was driven up to the arrival at a stop.
     fn tally(&self, stop: u32) -> Tally {
         let steps = self.trace.steps();
