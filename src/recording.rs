@@ -15,7 +15,7 @@ use crate::explorer::mind::Mind;
 use crate::explorer::name::Name;
 use crate::explorer::tell::{Case, Said, Told};
 use crate::geometry::{Heading, Point, Turn, Ways};
-use crate::maze::Bounds;
+use crate::maze::{Bounds, Start};
 use crate::playback::{Mark, Timeline};
 use crate::route::tally::Tally;
 
@@ -107,6 +107,7 @@ impl Step {
 pub struct Recording {
     name: Name,
     bounds: Bounds,
+    start: Start,
     cell_ms: u32,
     steps: Vec<Step>,
     tallies: Vec<Tally>,
@@ -139,6 +140,25 @@ impl Recording {
     #[must_use]
     pub const fn name(&self) -> Name {
         self.name
+    }
+
+    /// Where the robot was put down, and how it faced.
+    #[must_use]
+    pub const fn start(&self) -> Start {
+        self.start
+    }
+
+    /// Milliseconds for a cell.
+    #[must_use]
+    pub const fn cell_ms(&self) -> u32 {
+        self.cell_ms
+    }
+
+    /// A lattice point as seen from the start, in the robot's own frame.
+    #[must_use]
+    pub fn from_start(&self, at: Point) -> Point {
+        let Start { at: start, heading } = self.start;
+        Point::new(at.x - start.x, at.y - start.y).in_frame_of(heading)
     }
 
     /// Stops after the start.
@@ -321,6 +341,7 @@ impl Timeline for Recording {
 pub(crate) struct Recorder {
     name: Name,
     bounds: Bounds,
+    start: Start,
     cell_ms: u32,
     steps: Vec<Step>,
     tallies: Vec<Tally>,
@@ -329,10 +350,11 @@ pub(crate) struct Recorder {
 }
 
 impl Recorder {
-    pub(crate) const fn new(name: Name, bounds: Bounds, cell_ms: u32) -> Self {
+    pub(crate) const fn new(name: Name, bounds: Bounds, start: Start, cell_ms: u32) -> Self {
         Self {
             name,
             bounds,
+            start,
             cell_ms,
             steps: Vec::new(),
             tallies: Vec::new(),
@@ -367,7 +389,7 @@ impl Recorder {
 
     pub(crate) fn finish(mut self, outcome: Outcome, last: Mind) -> Recording {
         self.steps.shrink_to_fit();
-        let Self { name, bounds, cell_ms, steps, tallies, keys, .. } = self;
-        Recording { name, bounds, cell_ms, steps, tallies, keys, outcome, last }
+        let Self { name, bounds, start, cell_ms, steps, tallies, keys, .. } = self;
+        Recording { name, bounds, start, cell_ms, steps, tallies, keys, outcome, last }
     }
 }

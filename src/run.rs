@@ -4,7 +4,7 @@
 mod any;
 mod referee;
 
-pub use any::AnyRun;
+pub use any::{AnyRun, BookRun, Way};
 pub use referee::record;
 
 use crate::event::{Decision, Outcome, Sighting};

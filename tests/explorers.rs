@@ -5,6 +5,8 @@ mod support;
 
 #[path = "explorers/hands.rs"]
 mod hands;
+#[path = "explorers/laws.rs"]
+mod laws;
 #[path = "explorers/map.rs"]
 mod map;
 #[path = "explorers/recordings.rs"]

@@ -207,6 +207,10 @@ impl Robot for DepthFirst {
         self.places.bytes() + 4 * (self.nodes.len() + self.way.len())
     }
 
+    fn node(&self, look: Look) -> Option<u32> {
+        look.is_choice().then_some(self.node + 1)
+    }
+
     fn plan(&self) -> Option<Plan> {
         let turn = |&node: &u32| {
             let Node { entry, exit, .. } = self.nodes[node as usize];

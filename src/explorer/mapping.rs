@@ -133,6 +133,7 @@ pub struct Mapping {
 }
 
 const POINT_BITS: u32 = 29;
+const POINT_MASK: u32 = (1 << POINT_BITS) - 1;
 
 impl Mapping {
     /// A robot that knows nothing yet.
@@ -164,30 +165,53 @@ impl Mapping {
         self.visits.len()
     }
 
+    /// Which point a visit was of, from 0.
+    pub fn visited(&self) -> impl ExactSizeIterator<Item = u32> {
+        self.visits.iter().map(|packed| packed & POINT_MASK)
+    }
+
     /// A column of the arrays, from 0.
     #[must_use]
     pub fn column(&self, visit: usize) -> Option<Column> {
         let packed = *self.visits.get(visit)?;
-        let point = packed & ((1 << POINT_BITS) - 1);
+        let point = packed & POINT_MASK;
         let (x, y) = self.places.coordinates(point);
         let kind = self.points[point as usize].ways.count() as i32 - 1;
         Some(Column { point, kind, explored: packed >> POINT_BITS, x, y })
     }
 
-    /// The neighbours of a point in the order in which the columns show them first.
+    /// The neighbours of a point as neighbouring columns show them, from left to right.
     #[must_use]
     pub fn adjacency(&self, point: u32) -> Vec<u32> {
-        let mut neighbours = self.neighbours(point).collect::<Vec<_>>();
-        // Neighbouring columns are read from left to right.
-        let first = |of: &u32| {
-            let pair = |pair: &[u32]| {
-                let [a, b] = [pair[0], pair[1]].map(|packed| packed & ((1 << POINT_BITS) - 1));
-                (a, b) == (point, *of) || (a, b) == (*of, point)
-            };
-            self.visits.windows(2).position(pair).unwrap_or(usize::MAX)
-        };
-        neighbours.sort_by_cached_key(first);
-        neighbours
+        let mut list = Vec::new();
+        self.pairs(|a, b| {
+            if a == point && !list.contains(&b) {
+                list.push(b);
+            }
+        });
+        list
+    }
+
+    /// The whole adjacency list, by point.
+    #[must_use]
+    pub fn adjacency_list(&self) -> Vec<Vec<u32>> {
+        let mut lists = alloc::vec![Vec::new(); self.points.len()];
+        self.pairs(|a, b| {
+            let list: &mut Vec<u32> = &mut lists[a as usize];
+            if !list.contains(&b) {
+                list.push(b);
+            }
+        });
+        lists
+    }
+
+    /// Points of neighbouring columns, each pair in both orders.
+    fn pairs(&self, mut met: impl FnMut(u32, u32)) {
+        for pair in self.visits.windows(2) {
+            let (a, b) = (pair[0] & POINT_MASK, pair[1] & POINT_MASK);
+            met(a, b);
+            met(b, a);
+        }
     }
 
     /// The known neighbours of a point, clockwise from north.
@@ -245,7 +269,7 @@ impl Mapping {
 
     /// The point before, if there was a visit before.
     fn point(&self) -> Option<u32> {
-        self.visits.last().map(|packed| packed & ((1 << POINT_BITS) - 1))
+        self.visits.last().map(|packed| packed & POINT_MASK)
     }
 
     fn join(&mut self, from: u32, to: u32) {
@@ -350,6 +374,10 @@ impl Robot for Mapping {
             + size_of::<Known>() * self.points.len()
             + 4 * self.visits.len()
             + self.route.len()
+    }
+
+    fn node(&self, _: Look) -> Option<u32> {
+        self.point()
     }
 
     fn plan(&self) -> Option<Plan> {

@@ -32,6 +32,11 @@ pub trait Robot {
     /// About how many bytes a copy takes on the host.
     fn host_bytes(&self) -> usize;
 
+    /// Its own number of the place that it stands on after this look, if it numbers such places.
+    fn node(&self, _look: Look) -> Option<u32> {
+        None
+    }
+
     /// What it remembers of the way to the finish; nothing while it knows none.
     fn plan(&self) -> Option<Plan>;
 }
@@ -102,10 +107,7 @@ impl Field {
     /// A square as seen from the start, in the robot's own frame.
     #[must_use]
     pub const fn from_start(self, at: Point) -> Point {
-        let (east, north) = (at.x - self.start.x, at.y - self.start.y);
-        let (dx, dy) = self.heading.vector();
-        // Along the robot's east (its right) and north (ahead).
-        Point::new(east * dy - north * dx, east * dx + north * dy)
+        Point::new(at.x - self.start.x, at.y - self.start.y).in_frame_of(self.heading)
     }
 }
 

@@ -180,6 +180,10 @@ impl Robot for Sums {
         self.a.len()
     }
 
+    fn node(&self, look: Look) -> Option<u32> {
+        u32::try_from(self.j).ok().filter(|&j| j > 0).filter(|_| look.is_choice())
+    }
+
     fn plan(&self) -> Option<Plan> {
         Some(Plan::Letters(self.sums().iter().map(|&sum| turn(sum)).collect()))
     }

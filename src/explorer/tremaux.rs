@@ -207,6 +207,10 @@ impl Robot for Tremaux {
         self.places.bytes() + 5 * self.nodes.len() + 8 * self.way.len()
     }
 
+    fn node(&self, look: Look) -> Option<u32> {
+        look.is_choice().then_some(self.node + 1)
+    }
+
     fn plan(&self) -> Option<Plan> {
         Some(Plan::Letters(self.way.iter().map(|&(node, heading)| self.turn(node, heading)).collect()))
     }

@@ -1,10 +1,14 @@
 //! A run, whoever drove: the book's explorer leaves a [`Trace`], every other one a [`Recording`].
 
 use crate::event::Outcome;
-use crate::explorer::name::Name;
+use crate::explorer::mind::Plan;
+use crate::explorer::name::{Name, Seeks};
+use crate::geometry::{Point, Turn};
+use crate::maze::Maze;
 use crate::playback::{Mark, Timeline};
 use crate::recording::Recording;
 use crate::route::tally::Tally;
+use crate::route::{Corners, Route, Strayed, TurnList};
 use crate::trace::Trace;
 
 /// A run.
@@ -22,6 +26,15 @@ pub struct BookRun {
     trace: Trace,
     cell_ms: u32,
     tallies: alloc::vec::Vec<Tally>,
+}
+
+/// What a run leaves for round 2.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Way {
+    /// The letters.
+    pub list: TurnList,
+    /// The drive, or where the letters lead instead of the finish.
+    pub route: Result<Route, Strayed>,
 }
 
 /// Stops between two counts of the drive.
@@ -92,6 +105,55 @@ impl AnyRun {
             Self::Book(run) => run.tally(stop),
             Self::Other(run) => run.tally(stop),
         }
+    }
+
+    /// What was driven in all.
+    #[must_use]
+    pub fn total(&self) -> Tally {
+        let tally = self.tally(self.stops());
+        self.turn(self.stops()).map_or(tally, |turn| tally.turned(turn))
+    }
+
+    /// The turn made at a stop; none where the robot stayed, and at the book's start.
+    #[must_use]
+    pub fn turn(&self, stop: u32) -> Option<Turn> {
+        match self {
+            Self::Book(run) => run.trace.step(stop)?.turn(),
+            Self::Other(run) => run.step(stop).turn(),
+        }
+    }
+
+    /// What the run leaves for round 2; none where it found no finish.
+    #[must_use]
+    pub fn way(&self, maze: &Maze) -> Option<Way> {
+        let run = match self {
+            Self::Book(run) => {
+                let list = TurnList::of(&run.trace)?;
+                return Some(Way { route: Route::drive(maze, &list), list });
+            }
+            Self::Other(run) => run,
+        };
+        match (run.name().about().seeks, run.outcome()) {
+            (Seeks::Map, _) | (Seeks::Finish, Outcome::Finish) => {}
+            (Seeks::Finish, _) => return None,
+        }
+        let start = run.start();
+        Some(match run.last().robot().plan()? {
+            Plan::Letters(letters) => {
+                let list = letters.into_iter().collect();
+                Way { route: Route::drive_from(maze, start, &list), list }
+            }
+            Plan::Places(places) => {
+                let on_floor = |place: Point| {
+                    let off = place.out_of_frame_of(start.heading);
+                    Point::new(start.at.x + off.x, start.at.y + off.y)
+                };
+                let points: alloc::vec::Vec<Point> = places.into_iter().map(on_floor).collect();
+                let route = Route::through(maze, start, &points);
+                let list = route.as_ref().map(|route| route.list(Corners::LeftOut)).unwrap_or_default();
+                Way { list, route: route.ok_or(Strayed::NoLine { letter: 0, at: start.at }) }
+            }
+        })
     }
 
     /// The first stop at which the robot has driven so many cells; the last stop if it never does.

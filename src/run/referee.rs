@@ -82,7 +82,7 @@ fn drive(maze: &Maze, start: Start, settings: &Settings, name: Name, mut mind: M
     };
     let cell_ms = settings.pace.cell_ms(maze.scale);
     let mut rover = Rover::new(maze, start, cell_ms, halt);
-    let mut recorder = Recorder::new(name, maze.bounds(), cell_ms);
+    let mut recorder = Recorder::new(name, maze.bounds(), start, cell_ms);
     let mut referee = Referee::new(maze, start, about);
     let limit = (maze.cells() as u32).saturating_mul(256).saturating_add(64).min(MOST_STOPS);
     let mut look = rover.look_round();

@@ -2,9 +2,11 @@
 
 use std::path::PathBuf;
 
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use line_maze_lab::explorer::name::Name;
 use line_maze_lab::maze::MAX_SIDE;
-use line_maze_lab::settings::{NODE_MAX, Order, Pace, PaceError, Settings, limits};
+use line_maze_lab::settings::{self, NODE_MAX, Order, Pace, PaceError, Settings, limits};
 use line_maze_lab::trace::MAX_NODES;
 
 /// Explore line mazes as a robot does that cannot see them: stop by stop, by the algorithm of a book.
@@ -20,12 +22,13 @@ Examples:
   linemaze run mazes/book-3-1.maze                   how the run ended, and how good its route is
   linemaze run mazes/book-3-1.maze --json            the same for a program
   linemaze trace mazes/book-3-1.maze                 what the robot did at every stop
+  linemaze run mazes/book-3-1.maze --explorer mapping    the same maze with another algorithm
   linemaze generate --size 20x12 --seed 7 | linemaze run -
   linemaze check mine.maze                           what is not in order, where, and what to do
   linemaze convert mine.maze mine.svg                a picture in true size
 
 Exit status:
-  0  the finish was reached, the maze is clean, the file is written
+  0  the finish was reached, all is mapped, the maze is clean, the file is written
   1  the run ended elsewhere, or there are findings
   2  the arguments or the input make no sense; standard error says where: FILE:LINE:COLUMN: message";
 
@@ -61,7 +64,7 @@ pub(crate) enum Command {
 }
 
 const RUN_STATUS: &str =
-    "Exit status: 0 finish reached, 1 any other outcome, 2 the input or the arguments make no sense.";
+    "Exit status: 0 finish reached or all mapped, 1 any other outcome, 2 the input or the arguments make no sense.";
 
 const MAZE_HELP: &str =
     "A maze file of any readable format (.maze, JSON, micromouse), or - for standard input";
@@ -72,8 +75,8 @@ pub(crate) struct Explore {
     #[arg(value_name = "MAZE", help = MAZE_HELP)]
     pub(crate) maze: PathBuf,
     /// Whose algorithm drives
-    #[arg(long, value_name = "NAME", value_enum, default_value_t)]
-    explorer: Explorer,
+    #[arg(long, value_name = "NAME", default_value_t, value_parser = names())]
+    pub(crate) explorer: Name,
     /// Print JSON: one object for `run`, one a line for each stop for `trace`
     #[arg(long)]
     pub(crate) json: bool,
@@ -86,6 +89,15 @@ pub(crate) struct Explore {
     /// Nodes that the robot can remember at once
     #[arg(long, value_name = "N", default_value_t = NODE_MAX, value_parser = clap::value_parser!(u32).range(1..=i64::from(MAX_NODES)))]
     node_max: u32,
+    /// PAReX: whether the path is cut only two steps back (basic), or anywhere (special case 1)
+    #[arg(long, value_enum, default_value_t)]
+    rule: Rule,
+    /// PAReX: squares that the path can hold, 48 in the article [default: no limit]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    path_max: Option<u32>,
+    /// Mapping: how the routes are found on the map
+    #[arg(long, value_enum, default_value_t)]
+    search: Search,
     /// Millimetres a second on a straight
     #[arg(long, value_name = "MM_S", default_value_t = Pace::default().speed_mm_s, value_parser = speed)]
     speed: f64,
@@ -102,30 +114,49 @@ pub(crate) struct Explore {
 
 impl Explore {
     /// The settings that the options make.
-    pub(crate) fn settings(&self) -> Settings {
-        match self.explorer {
-            Explorer::Book => Settings {
-                order: self.order,
-                epsilon_ms: self.epsilon,
-                node_max: self.node_max,
-                pace: Pace {
-                    speed_mm_s: self.speed,
-                    turn_s: self.turn_s,
-                    uturn_s: self.uturn_s,
-                    stop_s: self.stop_s,
-                },
-                ..Settings::default()
+    pub(crate) const fn settings(&self) -> Settings {
+        Settings {
+            order: self.order,
+            epsilon_ms: self.epsilon,
+            node_max: self.node_max,
+            pace: Pace {
+                speed_mm_s: self.speed,
+                turn_s: self.turn_s,
+                uturn_s: self.uturn_s,
+                stop_s: self.stop_s,
+            },
+            rule: match self.rule {
+                Rule::Basic => settings::Rule::Basic,
+                Rule::Special1 => settings::Rule::Special1,
+            },
+            path_max: self.path_max,
+            search: match self.search {
+                Search::Dijkstra => settings::Search::Dijkstra,
+                Search::Astar => settings::Search::AStar,
             },
         }
     }
 }
 
-/// The algorithms that there are.
+/// The explorers' names, each with its title in the help.
+fn names() -> impl TypedValueParser<Value = Name> {
+    let name = |name: &Name| PossibleValue::new(name.text()).help(name.about().title);
+    PossibleValuesParser::new(Name::ALL.iter().map(name)).try_map(|text| text.parse::<Name>())
+}
+
 #[derive(Clone, Copy, Debug, Default, ValueEnum)]
-enum Explorer {
-    /// Dhasade and Joshi, Maze Solving Robot, 2017
+enum Rule {
+    Basic,
     #[default]
-    Book,
+    #[value(name = "special-1")]
+    Special1,
+}
+
+#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+enum Search {
+    #[default]
+    Dijkstra,
+    Astar,
 }
 
 /// What `generate` takes.
