@@ -5,16 +5,13 @@ use alloc::string::{String, ToString};
 use core::cmp::Ordering;
 
 use crate::event::Outcome;
-use crate::explorer::mind::Plan;
 use crate::explorer::name::Name;
-use crate::geometry::Point;
-use crate::maze::{Maze, Start};
-use crate::playback::Timeline;
+use crate::maze::Maze;
 use crate::report::book_memory_bytes;
 use crate::route::best::{self, Best};
 use crate::route::tally::Tally;
-use crate::route::{Route, Strayed, TurnList};
-use crate::run::AnyRun;
+use crate::route::{Route, Strayed};
+use crate::run::{AnyRun, Way};
 use crate::settings::Settings;
 
 /// The best routes of a maze, which every run in it is measured by.
@@ -66,8 +63,6 @@ pub enum NoRoute {
     NotSeen,
     /// What it remembers does not lead there.
     Strayed(Strayed),
-    /// What it remembers is not along lines.
-    OffLine,
 }
 
 impl Score {
@@ -75,7 +70,7 @@ impl Score {
     #[must_use]
     pub fn of(maze: &Maze, settings: &Settings, run: &AnyRun, bests: Bests) -> Self {
         let cell_mm = maze.scale.cell_mm();
-        let tally = run.tally(run.stops());
+        let tally = run.total();
         let best = |route: Route| {
             let tally = route.tally();
             Best { cells: tally.cells, seconds: tally.seconds(cell_mm, &settings.pace) }
@@ -100,10 +95,14 @@ impl Score {
         self.route.is_ok()
     }
 
-    /// Why it did not; none where it did.
+    /// Why it failed: how the run ended, if not well, or why it left no route. A run that fails can still know a
+    /// way to the finish.
     #[must_use]
     pub fn reason(&self) -> Option<String> {
-        self.route.err().map(|why| why.to_string())
+        match self.outcome {
+            Outcome::Finish | Outcome::Mapped => self.route.err().map(|why| why.to_string()),
+            other => Some(other.to_string()),
+        }
     }
 
     /// The route's cells over the shortest's.
@@ -203,43 +202,24 @@ impl Column {
 /// # Errors
 /// Why there is none.
 pub fn solved(maze: &Maze, run: &AnyRun) -> Result<Route, NoRoute> {
-    let Some(start) = maze.start() else { return Err(NoRoute::NotSeen) };
-    match run.outcome() {
-        Outcome::Finish | Outcome::Mapped => {}
-        other @ (Outcome::NoFinishReachable
-        | Outcome::Circling { .. }
-        | Outcome::Stuck
-        | Outcome::PathFull { .. }
-        | Outcome::TableFull { .. }
-        | Outcome::NoLine { .. }
-        | Outcome::TooManyStops { .. }) => return Err(NoRoute::Ended(other)),
-    }
-    let route = match run {
-        AnyRun::Book(run) => {
-            let list = TurnList::of(run.trace()).ok_or(NoRoute::NotSeen)?;
-            Route::drive_from(maze, start, &list).map_err(NoRoute::Strayed)?
+    match (run.way(maze), run.outcome()) {
+        (Some(Way { route: Ok(route), .. }), _) => {
+            let end = route.legs.last().map_or(route.start, |leg| leg.at);
+            if maze.is_finish(end) { Ok(route) } else { Err(NoRoute::NotSeen) }
         }
-        AnyRun::Other(run) => match run.last().robot().plan() {
-            None => return Err(NoRoute::NotSeen),
-            Some(Plan::Letters(letters)) => {
-                let list = letters.into_iter().collect();
-                Route::drive_from(maze, start, &list).map_err(NoRoute::Strayed)?
-            }
-            Some(Plan::Places(places)) => {
-                let places: alloc::vec::Vec<Point> =
-                    places.into_iter().map(|at| out_of_frame(start, at)).collect();
-                Route::through(maze, start, &places).ok_or(NoRoute::OffLine)?
-            }
-        },
-    };
-    let end = route.legs.last().map_or(route.start, |leg| leg.at);
-    if maze.is_finish(end) { Ok(route) } else { Err(NoRoute::NotSeen) }
-}
-
-/// A place in the robot's own frame as the drawing has it.
-const fn out_of_frame(start: Start, at: Point) -> Point {
-    let right = start.heading.turned(crate::geometry::Turn::Right);
-    start.at.ahead(start.heading, at.y).ahead(right, at.x)
+        (Some(Way { route: Err(strayed), .. }), _) => Err(NoRoute::Strayed(strayed)),
+        (None, Outcome::Finish | Outcome::Mapped) => Err(NoRoute::NotSeen),
+        (
+            None,
+            other @ (Outcome::NoFinishReachable
+            | Outcome::Circling { .. }
+            | Outcome::Stuck
+            | Outcome::PathFull { .. }
+            | Outcome::TableFull { .. }
+            | Outcome::NoLine { .. }
+            | Outcome::TooManyStops { .. }),
+        ) => Err(NoRoute::Ended(other)),
+    }
 }
 
 impl core::fmt::Display for NoRoute {
@@ -248,7 +228,6 @@ impl core::fmt::Display for NoRoute {
             Self::Ended(outcome) => outcome.fmt(f),
             Self::NotSeen => f.write_str("everything is mapped, and no finish was seen"),
             Self::Strayed(strayed) => strayed.fmt(f),
-            Self::OffLine => f.write_str("what it remembers leads off the line"),
         }
     }
 }

@@ -5,7 +5,8 @@ use std::path::PathBuf;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use line_maze_lab::explorer::name::Name;
-use line_maze_lab::maze::MAX_SIDE;
+use line_maze_lab::maze::generate::Recipe;
+use line_maze_lab::maze::{Kind, MAX_SIDE};
 use line_maze_lab::settings::{self, NODE_MAX, Order, Pace, PaceError, Settings, limits};
 use line_maze_lab::trace::MAX_NODES;
 
@@ -26,6 +27,8 @@ Examples:
   linemaze generate --size 20x12 --seed 7 | linemaze run -
   linemaze check mine.maze                           what is not in order, where, and what to do
   linemaze convert mine.maze mine.svg                a picture in true size
+  linemaze compare mine.maze --explorers book,mapping,flood-fill
+  linemaze league --generate 500 --size 16x16        who solves most, and how well
 
 Exit status:
   0  the finish was reached, all is mapped, the maze is clean, the file is written
@@ -40,6 +43,21 @@ pub(crate) enum Command {
     /// Explore a maze and tell every stop.
     #[command(after_help = RUN_STATUS)]
     Trace(Explore),
+    /// Print the turn list that a run leaves, for a board or another program.
+    #[command(
+        after_help = "Exit status: 0 printed, 1 the run left no way to the finish, 2 bad input.\n\nExample: linemaze turns mazes/book-3-1.maze --form c"
+    )]
+    Turns(Turns),
+    /// Put explorers side by side in one maze: a table, and where they part from the first of them.
+    #[command(
+        after_help = "Examples:\n  linemaze compare mazes/book-3-1.maze --explorers book,mapping,cornell-3\n  linemaze compare mazes/long-way.maze --random-orders 1000"
+    )]
+    Compare(Compare),
+    /// Run explorers over many mazes, on all cores: share solved, medians, CSV.
+    #[command(
+        after_help = "Exit status: 0 done, 1 done without the files that could not be read, 2 nothing to run.\n\nExamples:\n  linemaze league --samples --generate 500 --size 16x16 --csv runs.csv\n  linemaze league my-mazes/ --explorers book,mapping"
+    )]
+    League(League),
     /// Say what is not in order in a maze, where, and what to do about it.
     #[command(after_help = "Exit status: 0 nothing found, 1 findings, 2 unreadable.")]
     Check {
@@ -63,8 +81,7 @@ pub(crate) enum Command {
     },
 }
 
-const RUN_STATUS: &str =
-    "Exit status: 0 finish reached or all mapped, 1 any other outcome, 2 the input or the arguments make no sense.";
+const RUN_STATUS: &str = "Exit status: 0 finish reached or all mapped, 1 any other outcome, 2 the input or the arguments make no sense.";
 
 const MAZE_HELP: &str =
     "A maze file of any readable format (.maze, JSON, micromouse), or - for standard input";
@@ -80,6 +97,13 @@ pub(crate) struct Explore {
     /// Print JSON: one object for `run`, one a line for each stop for `trace`
     #[arg(long)]
     pub(crate) json: bool,
+    #[command(flatten)]
+    pub(crate) settings: Options,
+}
+
+/// What explorers and their robots can be set to.
+#[derive(Args)]
+pub(crate) struct Options {
     /// Which way is tried first at a node: S, R and L once each; random:SEED draws anew at each choice
     #[arg(long, value_name = "ORDER", default_value = "SRL")]
     order: Order,
@@ -112,7 +136,7 @@ pub(crate) struct Explore {
     stop_s: f64,
 }
 
-impl Explore {
+impl Options {
     /// The settings that the options make.
     pub(crate) const fn settings(&self) -> Settings {
         Settings {
@@ -135,6 +159,96 @@ impl Explore {
                 Search::Astar => settings::Search::AStar,
             },
         }
+    }
+}
+
+/// What `turns` takes.
+#[derive(Args)]
+pub(crate) struct Turns {
+    #[arg(value_name = "MAZE", help = MAZE_HELP)]
+    pub(crate) maze: PathBuf,
+    /// Whose algorithm drives
+    #[arg(long, value_name = "NAME", default_value_t, value_parser = names())]
+    pub(crate) explorer: Name,
+    /// How the list is written
+    #[arg(long, value_enum, default_value_t)]
+    pub(crate) form: TurnsForm,
+    /// A letter for each corner too, not only for nodes
+    #[arg(long)]
+    pub(crate) corners: bool,
+    #[command(flatten)]
+    pub(crate) settings: Options,
+}
+
+/// How a turn list is written.
+#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+pub(crate) enum TurnsForm {
+    /// SSR
+    #[default]
+    Letters,
+    /// One object
+    Json,
+    /// A line a turn
+    Csv,
+    /// An array for an Arduino sketch
+    C,
+}
+
+/// What `compare` takes.
+#[derive(Args)]
+pub(crate) struct Compare {
+    #[arg(value_name = "MAZE", help = MAZE_HELP)]
+    pub(crate) maze: PathBuf,
+    /// Two to six explorers, with commas between them
+    #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = names(), hide_possible_values = true,
+        default_value = "book,left-hand,right-hand,mapping,tremaux,flood-fill")]
+    pub(crate) explorers: Vec<Name>,
+    /// Print JSON: one object an explorer, as `run --json` does
+    #[arg(long)]
+    pub(crate) json: bool,
+    /// Instead: this many runs of the book's explorer, each with its own random order; how long are the routes?
+    #[arg(long, value_name = "N", conflicts_with_all = ["explorers", "json", "order"],
+        value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
+    pub(crate) random_orders: Option<u64>,
+    #[command(flatten)]
+    pub(crate) settings: Options,
+}
+
+/// What `league` takes.
+#[derive(Args)]
+pub(crate) struct League {
+    /// Maze files of any readable format, and folders of them
+    #[arg(value_name = "MAZE")]
+    pub(crate) mazes: Vec<PathBuf>,
+    /// The lab's own samples too; alone, they are the default
+    #[arg(long)]
+    pub(crate) samples: bool,
+    /// This many generated mazes, with seeds from --seed on
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    pub(crate) generate: Option<u32>,
+    #[command(flatten)]
+    pub(crate) recipe: Generate,
+    /// Explorers, with commas between them [default: all]
+    #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = names(), hide_possible_values = true)]
+    explorers: Vec<Name>,
+    /// Write a line for each run into this file
+    #[arg(long, value_name = "FILE")]
+    pub(crate) csv: Option<PathBuf>,
+    /// Write a line for each explorer into this file: medians, quartiles, share solved
+    #[arg(long, value_name = "FILE")]
+    pub(crate) standings_csv: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) settings: Options,
+}
+
+impl League {
+    /// Who runs; each once.
+    pub(crate) fn explorers(&self) -> Vec<Name> {
+        if self.explorers.is_empty() {
+            return Name::ALL.to_vec();
+        }
+        let chosen = |name: &&Name| self.explorers.contains(name);
+        Name::ALL.iter().filter(chosen).copied().collect()
     }
 }
 
@@ -177,6 +291,23 @@ pub(crate) struct Generate {
     /// Drawn as lines on the floor, or as walls between squares
     #[arg(long, value_name = "KIND", value_enum, default_value_t)]
     pub(crate) kind: Drawn,
+}
+
+impl Generate {
+    /// The recipe that the options make.
+    pub(crate) const fn recipe(&self) -> Recipe {
+        Recipe {
+            width: self.size.width,
+            height: self.size.height,
+            loops_percent: self.loops,
+            dead_ends_cut_percent: self.dead_ends,
+            seed: self.seed,
+            kind: match self.kind {
+                Drawn::Line => Kind::Line,
+                Drawn::Wall => Kind::Wall,
+            },
+        }
+    }
 }
 
 /// Points along the sides.

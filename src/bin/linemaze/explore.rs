@@ -5,9 +5,9 @@ use std::io::Write;
 use line_maze_lab::event::Outcome;
 use line_maze_lab::ink::Ink;
 use line_maze_lab::maze::Maze;
-use line_maze_lab::report::{NODE_BYTES, Report, StopReport};
 use line_maze_lab::playback::Timeline as _;
 use line_maze_lab::recording::Cursor;
+use line_maze_lab::report::{NODE_BYTES, Report, StopReport};
 use line_maze_lab::run::AnyRun;
 use line_maze_lab::settings::Settings;
 use serde::Serialize;
@@ -61,13 +61,18 @@ fn write_stop(args: &Explore, stop: &StopReport, out: &mut impl Write) -> Result
 
 fn explored(args: &Explore) -> Result<(Maze, Settings, AnyRun), Failure> {
     let maze = files::read(&args.maze)?;
-    let settings = args.settings();
-    let pace = settings.pace.checked(maze.scale);
-    pace.map_err(|error| Failure::Message(format!("--speed {}: {error}", settings.pace.speed_mm_s)))?;
+    let settings = checked(&maze, args.settings.settings())?;
     let name = files::name(&args.maze);
     let run = line_maze_lab::run::record(&maze, &settings, args.explorer)
         .map_err(|error| Failure::Message(format!("{name}: {error}")))?;
     Ok((maze, settings, run))
+}
+
+/// The settings, if a robot can have them in this maze.
+pub(crate) fn checked(maze: &Maze, settings: Settings) -> Result<Settings, Failure> {
+    let pace = settings.pace.checked(maze.scale);
+    pace.map_err(|error| Failure::Message(format!("--speed {}: {error}", settings.pace.speed_mm_s)))?;
+    Ok(settings)
 }
 
 const fn status(run: &AnyRun) -> Status {
@@ -84,7 +89,7 @@ const fn status(run: &AnyRun) -> Status {
 }
 
 /// One line of JSON.
-fn write_json(report: &impl Serialize, out: &mut impl Write) -> Result<(), Failure> {
+pub(crate) fn write_json(report: &impl Serialize, out: &mut impl Write) -> Result<(), Failure> {
     let json = serde_json::to_string(report).map_err(|error| Failure::Message(error.to_string()))?;
     writeln!(out, "{json}")?;
     Ok(())
@@ -107,7 +112,10 @@ fn tell(maze: &Maze, run: &AnyRun, report: &Report, out: &mut impl Write) -> Res
     match report.ptr {
         Some(ptr) => {
             let nodes = memory_bytes / NODE_BYTES;
-            writeln!(out, "memory       {memory_bytes} bytes: {nodes} nodes at once; ptr = {ptr} at the end")?;
+            writeln!(
+                out,
+                "memory       {memory_bytes} bytes: {nodes} nodes at once; ptr = {ptr} at the end"
+            )?;
         }
         None => writeln!(out, "memory       {memory_bytes} bytes: {}", run.name().about().bytes)?,
     }

@@ -5,12 +5,12 @@ use std::io::{self, Read, Write};
 use std::path::Path;
 
 use line_maze_lab::maze::file::{self, Format, ReadError};
-use line_maze_lab::maze::generate::{self, Recipe};
+use line_maze_lab::maze::generate;
 use line_maze_lab::maze::json::{self, JsonError};
 use line_maze_lab::maze::micromouse::Spot;
-use line_maze_lab::maze::{Kind, Maze, text};
+use line_maze_lab::maze::{Maze, text};
 
-use crate::args::{Drawn, Generate};
+use crate::args::Generate;
 use crate::locate::{self, Place};
 use crate::{Failure, Status};
 
@@ -71,18 +71,7 @@ fn placed(bytes: &[u8], error: &ReadError) -> (Place, String) {
 
 /// `linemaze generate`
 pub(crate) fn generate(args: &Generate, out: &mut impl Write) -> Result<Status, Failure> {
-    let recipe = Recipe {
-        width: args.size.width,
-        height: args.size.height,
-        loops_percent: args.loops,
-        dead_ends_cut_percent: args.dead_ends,
-        seed: args.seed,
-        kind: match args.kind {
-            Drawn::Line => Kind::Line,
-            Drawn::Wall => Kind::Wall,
-        },
-    };
-    let maze = generate::generate(&recipe).map_err(|error| Failure::Message(error.to_string()))?;
+    let maze = generate::generate(&args.recipe()).map_err(|error| Failure::Message(error.to_string()))?;
     out.write_all(text::write(&maze).as_bytes())?;
     Ok(Status::Good)
 }
