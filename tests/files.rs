@@ -187,6 +187,8 @@ fn the_documented_examples_can_be_read() {
     let listed = text::parse(&block("```text\n", 2)).unwrap();
     let json = json::parse(&block("```json\n", 1)).unwrap();
     assert_eq!((drawn.cells(), drawn.start(), drawn.finish()), (4, listed.start(), listed.finish()));
+    let walls = file::read(block("```text\n", 4).as_bytes()).unwrap();
+    assert_eq!((walls.cells(), walls.finish().len()), (5, 2));
     assert_eq!(json::write(&json), block("```json\n", 1));
     assert_eq!(drawn.lines().collect::<Vec<_>>(), listed.lines().collect::<Vec<_>>());
     assert_eq!(drawn.lines().collect::<Vec<_>>(), json.lines().collect::<Vec<_>>());

@@ -38,7 +38,7 @@ pub(crate) fn compare(args: &Compare, out: &mut impl Write) -> Result<Status, Fa
     }
     let mut rows = vec![head()];
     rows.extend(entrants.iter().map(|entrant| row(&entrant.score)));
-    table::print(&rows, out)?;
+    table::print(&rows, Column::ALL.len() + 1, out)?;
     for (what, best) in [("shortest", bests.shortest), ("fastest", bests.fastest)] {
         if let Some(best) = best {
             writeln!(out, "the {what} route: {} cells in {:.1} s", best.cells, best.seconds)?;

@@ -38,19 +38,18 @@ pub(crate) fn league(args: &args::League, out: &mut impl Write) -> Result<Status
     let results: Vec<CourseResult> =
         (0..count).into_par_iter().progress_with(bar).map(|course| league.run(course)).collect();
     let standings = standings(&league.names, &results);
-    for (path, text) in [
-        (&args.csv, results_csv as fn(&League, &[CourseResult]) -> String),
-        (&args.standings_csv, |league, results| {
-            standings_csv(&line_maze_lab::compare::league::standings(&league.names, results))
-        }),
-    ] {
-        if let Some(path) = path {
-            fs::write(path, text(&league, &results))
-                .map_err(|error| Failure::Message(format!("{}: {error}", path.display())))?;
-        }
+    if let Some(path) = &args.csv {
+        write(path, &results_csv(&league, &results))?;
+    }
+    if let Some(path) = &args.standings_csv {
+        write(path, &standings_csv(&standings))?;
     }
     tell(&standings, count, out)?;
     Ok(if unreadable == 0 { Status::Good } else { Status::Bad })
+}
+
+fn write(path: &Path, text: &str) -> Result<(), Failure> {
+    fs::write(path, text).map_err(|error| Failure::Message(format!("{}: {error}", path.display())))
 }
 
 /// All the mazes, and how many files could not be read; those are named on standard error.
@@ -118,6 +117,6 @@ fn tell(standings: &[Standing], count: usize, out: &mut impl Write) -> Result<()
         rows.push(start.into_iter().chain(Column::ALL.map(median)).collect());
     }
     writeln!(out, "{count} mazes; medians")?;
-    table::print(&rows, out)?;
+    table::print(&rows, usize::MAX, out)?;
     Ok(())
 }

@@ -1,19 +1,20 @@
-//! Tables for people: columns as wide as their widest cell, words to the left, numbers to the right.
+//! Tables for people: columns as wide as their widest cell, numbers to the right, words to the left.
 
 use std::io::{self, Write};
 
-/// Prints rows of equal length; the first column is words.
-pub(crate) fn print(rows: &[Vec<String>], out: &mut impl Write) -> io::Result<()> {
+/// Prints rows of equal length; the first column is words, and so are those from `words` on.
+pub(crate) fn print(rows: &[Vec<String>], words: usize, out: &mut impl Write) -> io::Result<()> {
     let columns = rows.first().map_or(0, Vec::len);
     let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
     let widths: Vec<usize> = (0..columns).map(width).collect();
     for row in rows {
         let mut line = String::new();
         for (column, (cell, width)) in row.iter().zip(&widths).enumerate() {
-            if column == 0 {
+            line.push_str(if column == 0 { "" } else { "  " });
+            if column == 0 || column >= words {
                 line.push_str(&format!("{cell:width$}"));
             } else {
-                line.push_str(&format!("  {cell:>width$}"));
+                line.push_str(&format!("{cell:>width$}"));
             }
         }
         writeln!(out, "{}", line.trim_end())?;
