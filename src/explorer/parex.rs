@@ -110,6 +110,8 @@ pub struct Parex {
     path: Vec<i32>,
     /// For special case 1: one more than the place of a square in the path; 0 where it is not in it.
     places: Vec<u32>,
+    /// The same for numbers below 0.
+    below: Vec<u32>,
     square: i32,
     heading: Heading,
     peak: u32,
@@ -126,6 +128,7 @@ impl Parex {
             path_max,
             path: Vec::new(),
             places: Vec::new(),
+            below: Vec::new(),
             square: numbering.start,
             heading: Heading::North,
             peak: 0,
@@ -162,11 +165,14 @@ impl Parex {
         self.rule
     }
 
-    /// The place where `places` keeps a number: any number has one.
-    const fn slot(square: i32) -> usize {
-        // A wrong start or width can lead below 1.
-        let twice = square.unsigned_abs() as usize * 2;
-        if square < 0 { twice - 1 } else { twice }
+    /// Where the place of a square in the path is kept; a wrong start or width can lead below 0.
+    fn place(&mut self, square: i32) -> &mut u32 {
+        let places = if square < 0 { &mut self.below } else { &mut self.places };
+        let slot = square.unsigned_abs() as usize;
+        if places.len() <= slot {
+            places.resize(slot + 1, 0);
+        }
+        &mut places[slot]
     }
 
     /// The square that the robot drove onto.
@@ -193,20 +199,20 @@ impl Parex {
             }
             Rule::Special1 => {
                 said.all(&[line::SPECIAL, line::IF_ANY]);
-                let slot = Self::slot(self.square);
-                if self.places.len() <= slot {
-                    self.places.resize(slot + 1, 0);
-                }
-                let earlier = self.places[slot] as usize;
+                let last = self.path.len() as u32;
+                let place = self.place(self.square);
+                let earlier = *place as usize;
                 if earlier == 0 {
-                    self.places[slot] = self.path.len() as u32;
+                    *place = last;
                     return false;
                 }
                 said.ran(line::CUT_ANY);
                 // The last square is the earlier one again; those between are forgotten.
                 self.path.pop();
-                for square in self.path.drain(earlier..) {
-                    self.places[Self::slot(square)] = 0;
+                while self.path.len() > earlier
+                    && let Some(square) = self.path.pop()
+                {
+                    *self.place(square) = 0;
                 }
                 true
             }
@@ -257,7 +263,7 @@ impl Robot for Parex {
     }
 
     fn host_bytes(&self) -> usize {
-        4 * (self.path.len() + self.places.len())
+        4 * (self.path.len() + self.places.len() + self.below.len())
     }
 
     fn plan(&self) -> Option<Plan> {
