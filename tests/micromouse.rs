@@ -79,7 +79,7 @@ fn what_a_form_cannot_say_is_refused_in_words() {
         change(&mut maze);
         write(&maze, form).unwrap_err()
     };
-    let all: [(fn(&mut Maze), Form, CannotSay); 8] = [
+    let all: [Case; 8] = [
         (|maze| maze.kind = Kind::Line, Form::Online, CannotSay::Lines),
         (|maze| assert!(maze.set_start(None)), Form::Online, CannotSay::NoStart),
         (|maze| turn(maze, (0, 0), Heading::East), Form::Online, CannotSay::StartHeading(Heading::East)),
@@ -95,6 +95,9 @@ fn what_a_form_cannot_say_is_refused_in_words() {
         assert!(found.to_string().contains(';'), "what is wrong; what to do: {found}");
     }
 }
+
+/// What is done to the maze, the form to write, and what is said then.
+type Case = (fn(&mut Maze), Form, CannotSay);
 
 fn turn(maze: &mut Maze, at: (i32, i32), heading: Heading) {
     assert!(maze.set_start(Some(Start { at: Point::new(at.0, at.1), heading })));
