@@ -7,6 +7,8 @@
 use std::hint::black_box;
 
 use criterion::{BenchmarkId, Criterion, SamplingMode, Throughput, criterion_group, criterion_main};
+use line_maze_lab::compare::league::{Course, League};
+use line_maze_lab::explorer::name::Name;
 use line_maze_lab::ink::Ink;
 use line_maze_lab::maze::generate::{Recipe, generate};
 use line_maze_lab::maze::{Maze, checks, json, text};
@@ -90,6 +92,30 @@ fn floor(c: &mut Criterion) {
     group.finish();
 }
 
+/// The best routes of a maze that is known. Budget: the shortest of 500 × 500 in at most 10 ms.
+fn routes(c: &mut Criterion) {
+    let mut maze = maze(500, 10);
+    maze.set_finish(vec![maze.bounds().ne()]);
+    let (start, pace) = (maze.start().unwrap(), settings().pace);
+    let mut group = c.benchmark_group("routes/500 × 500");
+    group.bench_function("shortest", |b| b.iter(|| best::shortest_route(&maze, start, &pace).unwrap()));
+    group.bench_function("fastest", |b| b.iter(|| best::fastest_route(&maze, start, &pace).unwrap()));
+    group.finish();
+}
+
+/// Eight explorers over 500 mazes of 16 × 16 on one core. Budget: at most 2 s on two.
+fn league(c: &mut Criterion) {
+    let recipe = Recipe { width: 16, height: 16, ..Recipe::default() };
+    let names = Name::ALL[..8].to_vec();
+    let league = League { names, settings: settings(), courses: Course::generated(recipe, 500).collect() };
+    let mut group = c.benchmark_group("league");
+    group.sampling_mode(SamplingMode::Flat).sample_size(10);
+    group.bench_function("8 explorers × 500 mazes", |b| {
+        b.iter(|| (0..500).map(|course| league.run(course)).collect::<Vec<_>>());
+    });
+    group.finish();
+}
+
 /// A maze of 200 × 200 points.
 fn files(c: &mut Criterion) {
     let maze = maze(200, 10);
@@ -101,5 +127,5 @@ fn files(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, explorer, jump, floor, files);
+criterion_group!(benches, explorer, jump, floor, routes, league, files);
 criterion_main!(benches);

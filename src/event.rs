@@ -27,6 +27,74 @@ pub enum Finish {
     Yes,
 }
 
+/// Whether a place is the start, which every robot but the book's knows by its mark.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Home {
+    /// Some other place.
+    Away,
+    /// The start, come upon again.
+    Back,
+    /// The start, where the robot was put down: it has not driven yet, and looks all round.
+    PutDown,
+}
+
+/// A stop as every explorer but the book's sees it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Look {
+    /// Ways, finish, and the drive. Where the robot was put down, `South` of the ways is just a way.
+    pub sighting: Sighting,
+    /// Whether this is the start.
+    pub home: Home,
+}
+
+impl Look {
+    /// Whether there is something to decide: a node, or a start with several ways, which gives the first
+    /// letter of the turn list.
+    #[must_use]
+    pub const fn is_choice(self) -> bool {
+        let ways = self.sighting.ways.count();
+        match self.home {
+            Home::Away => ways > 2,
+            Home::Back | Home::PutDown => ways > 1,
+        }
+    }
+
+    /// Whether the line ends here: no way but back.
+    #[must_use]
+    pub const fn is_dead_end(self) -> bool {
+        !matches!(self.home, Home::PutDown) && self.sighting.ways.count() < 2
+    }
+
+    /// The turn where there is nothing to decide: the only way on, or back.
+    #[must_use]
+    pub const fn only_turn(self) -> Turn {
+        let ways = self.sighting.ways;
+        let onward = match self.home {
+            Home::PutDown => ways,
+            Home::Away | Home::Back => ways.without(Heading::South),
+        };
+        match onward.only() {
+            Some(way) => Heading::North.turn_to(way),
+            None => Turn::Back,
+        }
+    }
+
+    /// The first of these turns that there is a way for; back if there is none.
+    #[must_use]
+    pub fn first_of(self, order: &[Turn]) -> Turn {
+        order.iter().copied().find(|&turn| self.sighting.sees(turn)).unwrap_or(Turn::Back)
+    }
+
+    /// What the trace report calls the place.
+    #[must_use]
+    pub const fn seen_name(self) -> &'static str {
+        match self.home {
+            Home::PutDown => "start",
+            Home::Away | Home::Back => self.sighting.seen().name(),
+        }
+    }
+}
+
 /// What a stop looks like, seen from the line that the robot came along.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Seen {
@@ -93,6 +161,23 @@ pub enum Outcome {
     Finish,
     /// Every line was driven; none led to the finish.
     NoFinishReachable,
+    /// Everything that can be reached is mapped.
+    Mapped,
+    /// Same place, same arrival heading, and nothing in memory that could make the robot decide otherwise:
+    /// it would go round for ever.
+    Circling {
+        /// The stop at which it stood so before; 0 is the start.
+        first: u32,
+        /// The stop at which it stands so again.
+        again: u32,
+    },
+    /// There is no way out of the start.
+    Stuck,
+    /// One square more than the path can hold.
+    PathFull {
+        /// How many it can hold.
+        capacity: u32,
+    },
     /// One node more than the robot can remember at once.
     TableFull {
         /// How many it can remember.
@@ -119,7 +204,10 @@ impl Outcome {
         match self {
             Self::Finish => "finish",
             Self::NoFinishReachable => "no-finish-reachable",
-            Self::TableFull { .. } => "table-full",
+            Self::Mapped => "mapped",
+            Self::Circling { .. } => "circling",
+            Self::Stuck => "stuck",
+            Self::TableFull { .. } | Self::PathFull { .. } => "table-full",
             Self::NoLine { .. } | Self::TooManyStops { .. } => "lost",
         }
     }
@@ -130,6 +218,13 @@ impl fmt::Display for Outcome {
         match *self {
             Self::Finish => write!(f, "finish reached"),
             Self::NoFinishReachable => write!(f, "no finish reachable: every line was driven"),
+            Self::Mapped => write!(f, "everything that can be reached is mapped"),
+            Self::Circling { first, again } => write!(
+                f,
+                "circling: stop {again} is stop {first} again, and nothing in memory could make it decide otherwise"
+            ),
+            Self::Stuck => write!(f, "stuck: no way leaves the start"),
+            Self::PathFull { capacity } => write!(f, "path full ({capacity} squares)"),
             Self::TableFull { capacity } => write!(f, "node table full ({capacity})"),
             Self::NoLine { node: 0, heading } => {
                 write!(f, "lost: there is no line {} ({})", heading.word(), heading.index())

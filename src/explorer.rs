@@ -1,13 +1,32 @@
-//! Robots' minds: each is fed with sightings and answers with decisions, and tells what it does as events.
+//! Robots' minds: each is fed with sightings and answers with decisions, and tells what it does.
 //!
 //! An explorer cannot see the maze: nothing here imports `maze`, `world` or `route`. The same sightings give
-//! the same events; chance comes only from a seed.
+//! the same answers; chance comes only from a seed. [`book`] is the book's own and tells everything as
+//! events; all others are [`mind::Robot`]s and tell which lines of their pseudo-code ran and which case it
+//! was. [`name::Name`] lists them all.
 
 use crate::event::{Decision, Sighting};
 
-pub mod book;
+#[macro_use]
+mod tables;
 
-/// A robot's mind.
+pub mod book;
+pub mod cornell;
+pub mod depth_first;
+pub mod flood_fill;
+pub mod hand;
+pub mod mapping;
+pub mod mind;
+pub mod name;
+pub mod parex;
+mod places;
+pub mod squares;
+pub mod sums;
+mod taste;
+pub mod tell;
+pub mod tremaux;
+
+/// A robot's mind that tells its work as events.
 pub trait Explorer {
     /// What it tells about its work at a stop.
     type Event;

@@ -35,6 +35,26 @@ impl Point {
         Self::new(self.x + dx * cells, self.y + dy * cells)
     }
 
+    /// A place relative to the origin as the bot sees it, when `north` is the drawing's name of the bot's
+    /// north.
+    ///
+    /// ```
+    /// use line_maze_lab::geometry::{Heading, Point};
+    /// assert_eq!(Point::new(3, 1).in_frame_of(Heading::East), Point::new(-1, 3));
+    /// ```
+    #[must_use]
+    pub const fn in_frame_of(self, north: Heading) -> Self {
+        let (dx, dy) = north.vector();
+        Self::new(self.x * dy - self.y * dx, self.x * dx + self.y * dy)
+    }
+
+    /// The inverse of [`Point::in_frame_of`].
+    #[must_use]
+    pub const fn out_of_frame_of(self, north: Heading) -> Self {
+        let (dx, dy) = north.vector();
+        Self::new(self.x * dy + self.y * dx, self.y * dy - self.x * dx)
+    }
+
     /// Cells between two points along the axes.
     #[must_use]
     pub const fn distance(self, other: Self) -> u32 {
@@ -367,7 +387,11 @@ mod tests {
                 let one_by_one: Ways = ways.iter().map(|h| h.in_frame_of(north)).collect();
                 assert_eq!(ways.in_frame_of(north), one_by_one);
             }
+            let at = Point::new(3, -2);
+            assert_eq!(at.in_frame_of(north).out_of_frame_of(north), at);
             for heading in Heading::ALL {
+                let ahead = Point::default().step(heading);
+                assert_eq!(ahead.in_frame_of(north), Point::default().step(heading.in_frame_of(north)));
                 assert_eq!(heading.in_frame_of(north).out_of_frame_of(north), heading);
             }
         }

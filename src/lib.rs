@@ -11,6 +11,7 @@ extern crate alloc;
 #[cfg(all(any(test, feature = "cli"), not(feature = "web")))]
 extern crate std;
 
+pub mod compare;
 pub mod event;
 pub mod explorer;
 pub mod geometry;
@@ -19,6 +20,7 @@ mod grouped;
 pub mod ink;
 pub mod maze;
 pub mod playback;
+pub mod recording;
 pub mod report;
 pub mod route;
 pub mod run;

@@ -14,11 +14,13 @@ pub mod edit;
 pub mod file;
 pub mod generate;
 pub mod json;
+pub mod micromouse;
 mod polyline;
 pub mod samples;
 mod scale;
 pub mod svg;
 pub mod text;
+pub mod walls;
 
 pub use bounds::{Bounds, BoundsError, MAX_COORDINATE, MAX_SIDE};
 pub use scale::{Scale, ScaleError, millimetres};
@@ -104,6 +106,11 @@ impl Maze {
     #[must_use]
     pub fn ways(&self, at: Point) -> Ways {
         self.bounds.index(at).map_or(Ways::NONE, |index| self.ways[index])
+    }
+
+    /// The ways out of every point, row by row from the south-west.
+    pub(crate) fn all_ways(&self) -> &[Ways] {
+        &self.ways
     }
 
     /// Whether a line leaves the point in this direction.

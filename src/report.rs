@@ -8,10 +8,17 @@ use crate::event::{Outcome, Seen};
 use crate::explorer::book::Case;
 use crate::ink::Ink;
 use crate::maze::Maze;
+use crate::playback::Timeline as _;
+use crate::recording::{Cursor, Recording};
 use crate::route::tally::Tally;
-use crate::route::{Route, TurnList, best};
+use crate::route::{Route, Strayed, TurnList, best};
+use crate::run::AnyRun;
 use crate::settings::Settings;
 use crate::trace::Trace;
+
+mod extras;
+
+pub use extras::{Adjacency, Extras, Square};
 
 /// Bytes that a node takes on the book's board, where an `int` has 2: `paths` and `vpaths` of four `bool`s
 /// each, `back_path`, `x_cor` and `y_cor`, and a byte for `last_path`.
@@ -45,10 +52,10 @@ pub struct Report {
     pub u_turns: u32,
     /// Seconds that the exploration took: driving, turns, and stops.
     pub seconds: f64,
-    /// Bytes that the robot needed for the nodes that it remembered at once.
+    /// Bytes that the robot needed at its peak, in the C types of the source.
     pub memory_bytes: u32,
-    /// `ptr` at the end.
-    pub ptr: u32,
+    /// The book's `ptr` at the end.
+    pub ptr: Option<u32>,
     /// Cells of the route.
     pub route_cells: Option<u32>,
     /// Seconds of the route.
@@ -65,6 +72,23 @@ pub struct Report {
     pub ratio_shortest: Option<f64>,
     /// The route's seconds over the quickest's.
     pub ratio_fastest: Option<f64>,
+    /// What only some explorers have.
+    #[serde(flatten)]
+    pub extras: Extras,
+}
+
+/// What a run knows of itself.
+struct Facts {
+    explorer: &'static str,
+    outcome: Outcome,
+    stops: u32,
+    decisions: u32,
+    tally: Tally,
+    memory_bytes: u32,
+    ptr: Option<u32>,
+    turns: Option<String>,
+    route: Option<Result<Route, Strayed>>,
+    extras: Extras,
 }
 
 impl Report {
@@ -86,46 +110,87 @@ impl Report {
     /// ```
     #[must_use]
     pub fn of(maze: &Maze, settings: &Settings, trace: &Trace) -> Self {
-        let cell_mm = maze.scale.cell_mm();
-        let pace = &settings.pace;
-        let tally = driven(trace, pace.cell_ms(maze.scale));
         let list = TurnList::of(trace);
-        let route = list.as_ref().map(|list| Route::drive(maze, list));
-        let strayed = route.as_ref().and_then(|route| route.as_ref().err());
-        let route = route.as_ref().and_then(|route| route.as_ref().ok()).map(Route::tally);
-        let route_s = route.map(|tally| tally.seconds(cell_mm, pace));
-        let shortest = maze.start().and_then(|start| best::shortest(maze, start, pace));
-        let fastest = maze.start().and_then(|start| best::fastest(maze, start, pace));
-        Self {
+        let facts = Facts {
             explorer: "book",
-            outcome: trace.outcome().name(),
-            reason: match trace.outcome() {
-                Outcome::Finish => strayed.map(ToString::to_string),
-                other => Some(other.to_string()),
-            },
+            outcome: trace.outcome(),
             stops: trace.stops(),
             decisions: trace.steps().iter().filter(|step| step.sighting().seen() == Seen::Node).count()
                 as u32,
+            tally: driven(trace, settings.pace.cell_ms(maze.scale)),
+            memory_bytes: book_memory_bytes(trace),
+            ptr: Some(trace.state(trace.stops()).ptr),
+            turns: list.as_ref().map(ToString::to_string),
+            route: list.map(|list| Route::drive(maze, &list)),
+            extras: Extras::default(),
+        };
+        Self::new(maze, settings, facts)
+    }
+
+    /// What a run of any explorer came to in this maze.
+    #[must_use]
+    pub fn of_run(maze: &Maze, settings: &Settings, run: &AnyRun) -> Self {
+        let recording = match run {
+            AnyRun::Book(book) => return Self::of(maze, settings, book.trace()),
+            AnyRun::Other(recording) => recording,
+        };
+        let nodes = (1..=run.stops()).filter(|&stop| recording.look(stop).sighting.seen() == Seen::Node);
+        let way = run.way(maze);
+        let facts = Facts {
+            explorer: recording.name().text(),
+            outcome: run.outcome(),
+            stops: run.stops(),
+            decisions: nodes.count() as u32,
+            tally: run.total(),
+            memory_bytes: recording.last().robot().peak_bytes(),
+            ptr: None,
+            turns: way.as_ref().map(|way| way.list.to_string()),
+            route: way.map(|way| way.route),
+            extras: Extras::of(maze, recording),
+        };
+        Self::new(maze, settings, facts)
+    }
+
+    fn new(maze: &Maze, settings: &Settings, facts: Facts) -> Self {
+        let cell_mm = maze.scale.cell_mm();
+        let pace = &settings.pace;
+        let Facts { explorer, outcome, stops, decisions, tally, memory_bytes, ptr, turns, route, extras } =
+            facts;
+        let strayed = route.as_ref().and_then(|route| route.as_ref().err());
+        let driven = route.as_ref().and_then(|route| route.as_ref().ok()).map(Route::tally);
+        let route_s = driven.map(|tally| tally.seconds(cell_mm, pace));
+        let shortest = maze.start().and_then(|start| best::shortest(maze, start, pace));
+        let fastest = maze.start().and_then(|start| best::fastest(maze, start, pace));
+        Self {
+            explorer,
+            outcome: outcome.name(),
+            reason: match outcome {
+                Outcome::Finish | Outcome::Mapped => strayed.map(ToString::to_string),
+                other => Some(other.to_string()),
+            },
+            stops,
+            decisions,
             distance_cells: tally.cells,
             distance_mm: tidy(f64::from(tally.cells) * cell_mm),
-            turns: list.map(|list| list.to_string()),
+            turns,
             right_turns: tally.right_turns,
             left_turns: tally.left_turns,
             u_turns: tally.u_turns,
             seconds: tidy(tally.seconds(cell_mm, pace)),
-            memory_bytes: NODE_BYTES * most_remembered(trace),
-            ptr: trace.state(trace.stops()).ptr,
-            route_cells: route.map(|tally| tally.cells),
+            memory_bytes,
+            ptr,
+            route_cells: driven.map(|tally| tally.cells),
             route_s: route_s.map(tidy),
             shortest_cells: shortest.map(|best| best.cells),
             shortest_s: shortest.map(|best| tidy(best.seconds)),
             fastest_cells: fastest.map(|best| best.cells),
             fastest_s: fastest.map(|best| tidy(best.seconds)),
             ratio_shortest: ratio(
-                route.map(|t| f64::from(t.cells)),
+                driven.map(|t| f64::from(t.cells)),
                 shortest.map(|best| f64::from(best.cells)),
             ),
             ratio_fastest: ratio(route_s, fastest.map(|best| best.seconds)),
+            extras,
         }
     }
 }
@@ -133,28 +198,28 @@ impl Report {
 /// A stop of a run, as other programs read it.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct StopReport {
-    /// From 1.
+    /// From 1; all explorers but the book's have a stop 0.
     pub stop: u32,
     /// `[x, y]` in the drawing's frame.
     pub at: [i32; 2],
     /// What the place looks like.
     pub seen: &'static str,
-    /// The book's case; corners and the finish have none.
+    /// The book's case, where corners and the finish have none; the explorer's own word for all others.
     pub case: Option<&'static str>,
-    /// The node's place in the table.
+    /// The node's place in the table; for others their own number of the node, if they have one.
     pub node: Option<u32>,
     /// The way out, 0 to 3 in the bot's frame; none where it stayed.
     pub leaves: Option<u8>,
-    /// `ptr` after the stop.
-    pub ptr: u32,
-    /// `returning` after the stop.
-    pub returning: bool,
-    /// `cur_x`, in milliseconds.
+    /// The book's `ptr` after the stop.
+    pub ptr: Option<u32>,
+    /// The book's `returning` after the stop.
+    pub returning: Option<bool>,
+    /// Milliseconds of driving to the east of the start, in the bot's frame.
     pub cur_x: i32,
-    /// `cur_y`, in milliseconds.
+    /// The same to the north.
     pub cur_y: i32,
-    /// Cells crossed out after the stop.
-    pub crossed_cells: u32,
+    /// Cells that the book's explorer has crossed out after the stop.
+    pub crossed_cells: Option<u32>,
 }
 
 impl StopReport {
@@ -169,12 +234,37 @@ impl StopReport {
             case: step.case().name(),
             node: Some(step.node()).filter(|&node| node > 0),
             leaves: step.turn().map(|_| step.departure().index()),
-            ptr: state.ptr,
-            returning: state.returning,
+            ptr: Some(state.ptr),
+            returning: Some(state.returning),
             cur_x: state.cur_x,
             cur_y: state.cur_y,
-            crossed_cells: ink.crossed_cells(stop),
+            crossed_cells: Some(ink.crossed_cells(stop)),
         })
+    }
+}
+
+impl StopReport {
+    /// A stop of any explorer but the book's; the cursor makes one after the other quick.
+    #[must_use]
+    pub fn of_recording(run: &Recording, cursor: &mut Cursor, stop: u32) -> Self {
+        let (step, at) = (run.step(stop), run.place(stop));
+        let from_start = run.from_start(at);
+        let here = cursor.seek(run, stop);
+        let node = here.mind.robot().node(here.look);
+        let leaves = |turn| step.heading().turned(turn).in_frame_of(run.start().heading).index();
+        Self {
+            stop,
+            at: [at.x, at.y],
+            seen: here.look.seen_name(),
+            case: Some(run.case(stop).name),
+            node,
+            leaves: step.turn().map(leaves),
+            ptr: None,
+            returning: None,
+            cur_x: from_start.x.saturating_mul(run.cell_ms() as i32),
+            cur_y: from_start.y.saturating_mul(run.cell_ms() as i32),
+            crossed_cells: None,
+        }
     }
 }
 
@@ -183,6 +273,11 @@ fn driven(trace: &Trace, cell_ms: u32) -> Tally {
         let tally = tally.driven(step.time_diff() / cell_ms.max(1));
         step.turn().map_or(tally, |turn| tally.turned(turn))
     })
+}
+
+/// Bytes that the book's robot needed for the nodes that it remembered at once.
+pub(crate) fn book_memory_bytes(trace: &Trace) -> u32 {
+    NODE_BYTES * most_remembered(trace)
 }
 
 /// Nodes are forgotten from the end of the table, so its highest number says how many it held.
@@ -195,6 +290,6 @@ fn ratio(ours: Option<f64>, best: Option<f64>) -> Option<f64> {
 }
 
 /// Rounded to millionths: 4.4, not 4.400000000000001.
-fn tidy(number: f64) -> f64 {
+pub(crate) fn tidy(number: f64) -> f64 {
     if number < 1e9 { (number * 1e6 + 0.5) as u64 as f64 / 1e6 } else { number }
 }

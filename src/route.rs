@@ -1,92 +1,25 @@
 //! The way to the finish: the turn list that a run leaves, driving it (round 2), and how good it is.
 
-use alloc::string::String;
 use alloc::vec::Vec;
-use core::fmt;
-use core::str::FromStr;
 
-use crate::event::{Finish, Outcome, Seen};
 use crate::geometry::{Heading, Point, Turn};
-use crate::maze::Maze;
+use crate::maze::{Maze, Start};
 use crate::playback::{Mark, Timeline};
 use crate::settings::Pace;
-use crate::trace::{Moment, Trace};
-use crate::world::{CannotStart, Ideal, World, line_start};
+use crate::world::line_start;
 
 pub mod best;
+pub mod follow;
+pub mod forms;
+pub mod lab;
 pub mod tally;
+mod turn_list;
 
+pub use follow::Strayed;
+pub use turn_list::{Corners, NotATurn, TurnList};
+
+use follow::{End, Floor, follow};
 use tally::Tally;
-
-/// One turn for each node on the way; corners need none.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct TurnList(Vec<Turn>);
-
-impl TurnList {
-    /// What the remembered nodes say at the end of a run that found the finish: node `i` is reached from its
-    /// `back_path` and left by its `last_path` (the book's §3.2, which is unwritten).
-    #[must_use]
-    pub fn of(trace: &Trace) -> Option<Self> {
-        if trace.outcome() != Outcome::Finish {
-            return None;
-        }
-        let end = trace.end();
-        let ptr = trace.state(trace.stops()).ptr;
-        (1..ptr).map(|m| turn_at(trace, end, m)).collect::<Option<Vec<Turn>>>().map(Self)
-    }
-
-    /// The turns, in order.
-    #[must_use]
-    pub fn turns(&self) -> &[Turn] {
-        &self.0
-    }
-
-    /// As a C array for an Arduino sketch, with a comment.
-    #[must_use]
-    pub fn c_array(&self, title: &str) -> String {
-        // The title ends up in a comment: nothing in it may end the line.
-        let title: String = title.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
-        let comment = title.trim_matches(|c: char| c == '\\' || c.is_whitespace());
-        alloc::format!("const char turns[] = \"{self}\"; // {comment}")
-    }
-}
-
-fn turn_at(trace: &Trace, moment: Moment, m: u32) -> Option<Turn> {
-    let node = trace.row(moment, m)?.node;
-    Some(node.back_path.opposite().turn_to(node.last_path?))
-}
-
-impl fmt::Display for TurnList {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.0.iter().try_for_each(|turn| write!(f, "{}", turn.letter()))
-    }
-}
-
-/// A letter that names no turn.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct NotATurn {
-    /// Which letter, from 1.
-    pub place: usize,
-    /// The letter.
-    pub letter: char,
-}
-
-impl fmt::Display for NotATurn {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "letter {} is “{}”: a turn list has the letters L, S, R and B", self.place, self.letter)
-    }
-}
-
-impl core::error::Error for NotATurn {}
-
-impl FromStr for TurnList {
-    type Err = NotATurn;
-
-    fn from_str(text: &str) -> Result<Self, NotATurn> {
-        let turn = |(i, letter)| Turn::from_letter(letter).ok_or(NotATurn { place: i + 1, letter });
-        text.chars().enumerate().map(turn).collect::<Result<_, _>>().map(Self)
-    }
-}
 
 /// A stop of round 2.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -103,89 +36,81 @@ pub struct Leg {
     pub letter: Option<usize>,
 }
 
-/// Round 2: a drive by a turn list from the start to the finish.
+/// Round 2: a drive from the start, as a rule to the finish.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Route {
     /// The start.
     pub start: Point,
-    /// Every stop, corners included; the last is the finish.
+    /// The turn made there before the first drive.
+    pub start_turn: Turn,
+    /// Which letter of the list that was, from 1; none where the start has one way.
+    pub start_letter: Option<usize>,
+    /// Every stop, corners included; the last has no turn.
     pub legs: Vec<Leg>,
 }
 
-/// Why a turn list does not lead to the finish.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Strayed {
-    /// The robot cannot start at all.
-    CannotStart(CannotStart),
-    /// A turn where there is no line: which letter (from 1; 0 for a corner's) and where.
-    NoLine {
-        /// Which letter, from 1.
-        letter: usize,
-        /// Where.
-        at: Point,
-    },
-    /// A dead end that is not the finish.
-    DeadEnd {
-        /// Where.
-        at: Point,
-    },
-    /// A node after the last letter.
-    ListTooShort {
-        /// Where.
-        at: Point,
-    },
-}
-
-impl fmt::Display for Strayed {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::CannotStart(why) => why.fmt(f),
-            Self::NoLine { letter: 0, at } => write!(f, "the turn list leads off the line at {at}"),
-            Self::NoLine { letter, at } => {
-                write!(f, "the turn list leads off the line after letter {letter}, at {at}")
-            }
-            Self::DeadEnd { at } => write!(f, "the turn list leads to the dead end {at}"),
-            Self::ListTooShort { at } => write!(f, "the turn list has no letter for the node at {at}"),
-        }
-    }
-}
-
-impl core::error::Error for Strayed {}
-
 impl Route {
-    /// Drives a turn list in an ideal world.
+    /// Drives a turn list in an ideal world, as the book's robot does: from a line's end, facing along it.
     ///
     /// # Errors
     /// Where it does not lead to the finish.
     pub fn drive(maze: &Maze, list: &TurnList) -> Result<Self, Strayed> {
         let start = line_start(maze).map_err(Strayed::CannotStart)?;
-        let mut world = Ideal::new(maze, start, 1);
-        let mut letters = list.turns().iter().copied();
-        let mut legs = Vec::new();
-        let mut turn = Turn::Straight;
-        loop {
-            let letter = list.turns().len() - letters.len();
-            let sighting = world.drive(turn).map_err(|_| Strayed::NoLine { letter, at: world.at() })?;
-            let at = world.at();
-            let next = match sighting.seen() {
-                Seen::Finish => None,
-                Seen::DeadEnd => return Err(Strayed::DeadEnd { at }),
-                Seen::Corner | Seen::Straight => {
-                    sighting.ways.without(Heading::South).only().map(|way| Heading::North.turn_to(way))
-                }
-                Seen::Node => Some(letters.next().ok_or(Strayed::ListTooShort { at })?),
-            };
-            let used = list.turns().len() - letters.len();
-            let letter = (used > letter).then_some(used);
-            legs.push(Leg { at, heading: world.heading(), cells: sighting.time_diff, turn: next, letter });
-            match next {
-                Some(next) => turn = next,
-                None => {
-                    debug_assert_eq!(sighting.finish, Finish::Yes);
-                    return Ok(Self { start: start.at, legs });
-                }
+        Self::drive_from(maze, start, list)
+    }
+
+    /// Drives a turn list from any start.
+    ///
+    /// # Errors
+    /// Where it does not lead to the finish.
+    pub fn drive_from(maze: &Maze, start: Start, list: &TurnList) -> Result<Self, Strayed> {
+        let followed = follow(maze, start, list, Corners::LeftOut);
+        match followed.end {
+            End::Finish { .. } => Ok(followed.route),
+            End::Strayed(strayed) => Err(strayed),
+        }
+    }
+
+    /// The drive over these points in order, the start first; each is along an axis from the one before. None
+    /// where there is no line between two of them.
+    ///
+    /// ```
+    /// use line_maze_lab::geometry::Point;
+    /// use line_maze_lab::maze::samples;
+    /// use line_maze_lab::route::{Corners, Route};
+    /// let maze = samples::figure_3_1();
+    /// let way = [(0, 0), (0, 5), (3, 5), (3, 4)].map(|(x, y)| Point::new(x, y));
+    /// let route = Route::through(&maze, maze.start().unwrap(), &way).unwrap();
+    /// assert_eq!(route.list(Corners::LeftOut).to_string(), "SSR");
+    /// assert_eq!(route.list(Corners::Listed).to_string(), "SSRR");
+    /// ```
+    #[must_use]
+    pub fn through(maze: &Maze, start: Start, points: &[Point]) -> Option<Self> {
+        let mut way = Way::new(maze, start);
+        if points.first().is_some_and(|&first| first != start.at) {
+            return None;
+        }
+        for pair in points.windows(2) {
+            let mut at = pair[0];
+            while at != pair[1] {
+                let heading = Heading::ALL.into_iter().find(|&heading| leads(at, heading, pair[1]))?;
+                way.cell(heading)?;
+                at = at.step(heading);
             }
         }
+        Some(way.end())
+    }
+
+    /// The letters of this drive.
+    #[must_use]
+    pub fn list(&self, corners: Corners) -> TurnList {
+        let listed = |turn: Turn, letter: Option<usize>| match corners {
+            Corners::LeftOut => letter.is_some(),
+            Corners::Listed => letter.is_some() || turn != Turn::Straight,
+        };
+        let start = Some(self.start_turn).filter(|&turn| listed(turn, self.start_letter));
+        let legs = self.legs.iter().filter_map(|leg| leg.turn.filter(|&turn| listed(turn, leg.letter)));
+        start.into_iter().chain(legs).collect()
     }
 
     /// The drive to a stop, from 1.
@@ -197,7 +122,7 @@ impl Route {
     /// What the drive is made of.
     #[must_use]
     pub fn tally(&self) -> Tally {
-        self.legs.iter().fold(Tally::default(), |tally, leg| {
+        self.legs.iter().fold(Tally::default().turned(self.start_turn), |tally, leg| {
             let tally = tally.driven(leg.cells);
             leg.turn.map_or(tally, |turn| tally.turned(turn))
         })
@@ -213,6 +138,71 @@ impl Route {
     #[must_use]
     pub fn seconds(&self, cell_mm: f64, pace: &Pace) -> f64 {
         self.tally().seconds(cell_mm, pace)
+    }
+}
+
+/// Whether a point lies straight ahead.
+const fn leads(at: Point, heading: Heading, to: Point) -> bool {
+    match heading {
+        Heading::North => at.x == to.x && at.y < to.y,
+        Heading::East => at.y == to.y && at.x < to.x,
+        Heading::South => at.x == to.x && at.y > to.y,
+        Heading::West => at.y == to.y && at.x > to.x,
+    }
+}
+
+/// A drive that grows cell by cell.
+struct Way<'m> {
+    floor: Floor<'m>,
+    route: Route,
+    at: Point,
+    heading: Heading,
+    /// Cells since the last stop.
+    cells: u32,
+    letters: usize,
+}
+
+impl<'m> Way<'m> {
+    const fn new(maze: &'m Maze, start: Start) -> Self {
+        let floor = Floor::new(maze, start.at);
+        let route =
+            Route { start: start.at, start_turn: Turn::Straight, start_letter: None, legs: Vec::new() };
+        Self { floor, route, at: start.at, heading: start.heading, cells: 0, letters: 0 }
+    }
+
+    /// Drives one cell on; none where there is no line.
+    fn cell(&mut self, heading: Heading) -> Option<()> {
+        if !self.floor.maze.has_line(self.at, heading) {
+            return None;
+        }
+        let turn = self.heading.turn_to(heading);
+        let choice = self.floor.is_choice(self.at);
+        if self.cells == 0 && self.route.legs.is_empty() {
+            self.route.start_turn = turn;
+            self.route.start_letter = choice.then(|| self.next_letter());
+        } else if turn != Turn::Straight || self.floor.is_stop(self.at, self.heading) {
+            let letter = (choice || turn == Turn::Back).then(|| self.next_letter());
+            self.stop(Some(turn), letter);
+        }
+        (self.at, self.heading, self.cells) = (self.at.step(heading), heading, self.cells + 1);
+        Some(())
+    }
+
+    const fn next_letter(&mut self) -> usize {
+        self.letters += 1;
+        self.letters
+    }
+
+    fn stop(&mut self, turn: Option<Turn>, letter: Option<usize>) {
+        self.route.legs.push(Leg { at: self.at, heading: self.heading, cells: self.cells, turn, letter });
+        self.cells = 0;
+    }
+
+    fn end(mut self) -> Route {
+        if self.cells > 0 {
+            self.stop(None, None);
+        }
+        self.route
     }
 }
 

@@ -1,6 +1,12 @@
 //! The driver: it puts a robot into a world, carries sightings to its mind and decisions back, and writes the
 //! trace. It is also the referee: it ends what would go on for ever.
 
+mod any;
+mod referee;
+
+pub use any::{AnyRun, BookRun, Way};
+pub use referee::record;
+
 use crate::event::{Decision, Outcome, Sighting};
 use crate::explorer::Explorer;
 use crate::explorer::book::Book;

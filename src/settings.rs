@@ -6,6 +6,10 @@ use core::str::FromStr;
 use crate::geometry::Turn;
 use crate::maze::Scale;
 
+pub mod limits;
+
+pub use limits::PaceError;
+
 /// In which order a robot tries the ways out of a node.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Order {
@@ -127,7 +131,27 @@ impl Pace {
 /// The most milliseconds that a cell can take: the length of the longest line still fits 32-bit coordinates.
 pub const MAX_CELL_MS: u32 = 2_000_000;
 
-/// Everything that can be set for a run of the book's explorer.
+/// How PAReX path mapping cuts its path when it has been somewhere before.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Rule {
+    /// Only where it was two steps ago: dead ends one square deep, one after the other.
+    Basic,
+    /// Wherever it was on the path (the article's special case 1).
+    #[default]
+    Special1,
+}
+
+/// How full mapping looks for its routes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Search {
+    /// By distance from the start alone.
+    #[default]
+    Dijkstra,
+    /// With the finish in sight.
+    AStar,
+}
+
+/// Everything that can be set for a run; each explorer uses what concerns it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings {
     /// Preference order at a node.
@@ -138,6 +162,12 @@ pub struct Settings {
     pub node_max: u32,
     /// Speed and turning times.
     pub pace: Pace,
+    /// PAReX: how the path is cut.
+    pub rule: Rule,
+    /// PAReX: squares that the path can hold (the article's 48); no limit if not set.
+    pub path_max: Option<u32>,
+    /// Full mapping: how its routes are found.
+    pub search: Search,
 }
 
 /// The book's own size of the node table.
@@ -150,6 +180,9 @@ impl Default for Settings {
             epsilon_ms: None,
             node_max: NODE_MAX,
             pace: Pace::default(),
+            rule: Rule::default(),
+            path_max: None,
+            search: Search::default(),
         }
     }
 }

@@ -264,7 +264,7 @@ fn read_settings(reader: &mut Reader<'_>) -> Result<Settings, Malformed> {
             Pace { speed_mm_s: time()?, turn_s: time()?, uturn_s: time()?, stop_s: time()? }
         }
     };
-    Ok(Settings { order, epsilon_ms, node_max, pace })
+    Ok(Settings { order, epsilon_ms, node_max, pace, ..Settings::default() })
 }
 
 impl fmt::Display for ShareError {

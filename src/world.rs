@@ -8,6 +8,8 @@ use crate::event::{Finish, Sighting};
 use crate::geometry::{Heading, Point, Turn, Ways};
 use crate::maze::{Maze, Start};
 
+pub mod rover;
+
 /// A place for a robot to drive in.
 pub trait World {
     /// Turns, then drives to the next stop.

@@ -248,7 +248,7 @@ fn a_start_that_the_robot_cannot_use_is_bad_input() {
 #[test]
 fn arguments_out_of_range_say_what_is_possible() {
     let cases: [(&[&str], &str); 14] = [
-        (&["--explorer", "left-hand"], "[possible values: book]"),
+        (&["--explorer", "third-hand"], "[possible values: book]"),
         (&["--order", "SRB"], "an order is S, R and L once each"),
         (&["--order", "random:"], "random: and a whole number"),
         (&["--epsilon", "-1"], "unexpected argument '-1'"),
@@ -320,10 +320,47 @@ fn convert_goes_by_content_and_by_extension() {
     for unknown in ["figure.png", "figure"] {
         let said = convert(FIGURE, &scratch(unknown));
         assert_eq!(said.status, 2);
-        assert!(said.err.contains("it is .maze, .json or .svg"), "{}", said.err);
+        assert!(said.err.contains("it is .maze, .json or .svg, or for walls .txt"), "{}", said.err);
         assert!(!scratch(unknown).exists());
     }
     assert_eq!(convert(FIGURE, Path::new("/nowhere/at/all.maze")).status, 2);
+}
+
+#[test]
+fn walls_go_through_micromouse_files_and_back() {
+    let walls =
+        linemaze(&["generate", "--kind", "wall", "--size", "16x16", "--seed", "3", "--dead-ends", "0"]).out;
+    let walls_path = scratch("walls.maze");
+    std::fs::write(&walls_path, &walls).unwrap();
+    let convert =
+        |from: &Path, to: &Path| linemaze(&["convert", from.to_str().unwrap(), to.to_str().unwrap()]);
+    let report = |path: &Path| linemaze(&["run", path.to_str().unwrap(), "--node-max", "999", "--json"]).out;
+    let drawn = scratch("walls.txt");
+    assert_eq!(convert(&walls_path, &drawn).err, "");
+    assert!(std::fs::read_to_string(&drawn).unwrap().starts_with("o---o"), "a drawing of posts and walls");
+    assert_eq!(report(&drawn), report(&walls_path));
+    let refused = convert(&drawn, &scratch("walls.maz"));
+    assert_eq!(refused.status, 2);
+    assert!(refused.err.contains("the finish is not written and means the centre"), "{}", refused.err);
+    let unfinished = scratch("unfinished.txt");
+    std::fs::write(&unfinished, std::fs::read_to_string(&drawn).unwrap().replace('G', " ")).unwrap();
+    for (from, to) in
+        [("unfinished.txt", "walls.maz"), ("walls.maz", "walls.num"), ("walls.num", "again.txt")]
+    {
+        assert_eq!(convert(&scratch(from), &scratch(to)).err, "");
+    }
+    assert_eq!(std::fs::read(scratch("walls.maz")).unwrap().len(), 256);
+    assert_eq!(std::fs::read(scratch("again.txt")).unwrap(), std::fs::read(&unfinished).unwrap());
+    let lines = convert(Path::new(FIGURE), &scratch("figure.txt"));
+    assert_eq!(lines.status, 2);
+    assert!(lines.err.contains("this maze is drawn as lines; make its kind “wall” first"), "{}", lines.err);
+    let bad = linemaze(&["check", "tests/fixtures/bad/mouse-ragged-short.txt"]);
+    assert_eq!(bad.status, 2);
+    assert!(
+        bad.err.starts_with("tests/fixtures/bad/mouse-ragged-short.txt:2:13: this line has 12"),
+        "{}",
+        bad.err
+    );
 }
 
 #[test]
@@ -346,8 +383,199 @@ fn help_teaches() {
     for part in ["Examples:", "linemaze run mazes/book-3-1.maze", "Exit status:", "FILE:LINE:COLUMN"] {
         assert!(said.out.contains(part), "{part}");
     }
-    for command in ["run", "trace", "check", "generate", "convert"] {
+    for command in ["run", "trace", "turns", "compare", "league", "check", "generate", "convert"] {
         assert_eq!(linemaze(&[command, "--help"]).status, 0);
     }
     assert_eq!(linemaze(&[]).status, 2);
+}
+
+<<<<<<< HEAD
+#[test]
+fn turns_prints_the_list_in_every_form() {
+    let turns = |args: &[&str]| linemaze(&[&["turns", FIGURE], args].concat());
+    assert_eq!(turns(&[]).out, "SSR\n");
+    assert_eq!(turns(&["--corners"]).out, "SSRR\n");
+    assert_eq!(turns(&["--form", "c"]).out, "const char turns[] = \"SSR\"; // The run of the book\n");
+    assert_eq!(turns(&["--form", "csv", "--explorer", "mapping"]).out.lines().count(), 4);
+    let json: Value = serde_json::from_str(&turns(&["--form", "json", "--corners"]).out).unwrap();
+    assert_eq!(json, json!({"maze": "The run of the book", "corners": true, "turns": "SSRR"}));
+    let none = turns(&["--explorer", "right-hand"]);
+    assert_eq!((none.status, none.out.as_str()), (1, ""));
+    assert!(none.err.contains("no turn list: circling"), "{}", none.err);
+}
+
+#[test]
+fn compare_shows_explorers_side_by_side() {
+    let said = linemaze(&["compare", FIGURE, "--explorers", "book,right-hand,mapping"]);
+    assert_eq!((said.status, said.err.as_str()), (0, ""));
+    let book = said.out.lines().find(|line| line.starts_with("book ")).unwrap();
+    assert!(book.contains(" 49 ") && book.contains(" 1.00 ") && book.ends_with("finish reached"), "{book}");
+    assert!(said.out.contains("circling: stop "), "{}", said.out);
+    let parting = "At 0,1 (stop 1) book goes north and right-hand (stop 1) goes east.";
+    assert!(said.out.contains(parting), "{}", said.out);
+    let objects = linemaze(&["compare", FIGURE, "--json", "--explorers", "book,tremaux"]).out;
+    let objects: Vec<Value> = objects.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    assert_eq!((&objects[0]["explorer"], &objects[1]["explorer"]), (&"book".into(), &"tremaux".into()));
+    assert_eq!(objects[0].to_string() + "\n", {
+        let run: Value = serde_json::from_str(&linemaze(&["run", FIGURE, "--json"]).out).unwrap();
+        run.to_string() + "\n"
+    });
+    for (explorers, message) in [
+        ("book", "2 to 6 explorers are compared, not 1"),
+        ("book,book", "book is there twice"),
+        ("book,nobody", "invalid value 'nobody'"),
+    ] {
+        let said = linemaze(&["compare", FIGURE, "--explorers", explorers]);
+        assert_eq!(said.status, 2);
+        assert!(said.err.contains(message), "{}", said.err);
+    }
+}
+
+#[test]
+fn random_orders_are_a_histogram() {
+    let said = linemaze(&["compare", "mazes/long-way.maze", "--random-orders", "200"]);
+    assert_eq!((said.status, said.err.as_str()), (0, ""));
+    let counts = said.out.lines().filter(|line| line.contains(" cells  "));
+    let count = |line: &str| -> u32 { line.split_whitespace().nth(2).unwrap().parse().unwrap() };
+    assert_eq!(counts.map(count).sum::<u32>(), 200);
+    let worst = said.out.lines().find(|line| line.starts_with("worst")).unwrap();
+    let (cells, order) = worst.split_once(" cells, --order ").unwrap();
+    let run = linemaze(&["run", "mazes/long-way.maze", "--order", order, "--json"]).out;
+    let run: Value = serde_json::from_str(&run).unwrap();
+    assert_eq!(format!("worst: {}", run["route_cells"]), cells, "a seed can be opened");
+}
+
+#[test]
+fn the_league_runs_over_files_folders_samples_and_generated_mazes() {
+    let (runs, standings) = (scratch("runs.csv"), scratch("standings.csv"));
+    let said = linemaze(&[
+        "league",
+        "mazes",
+        "tests/fixtures/bad/tab.maze",
+        "--generate",
+        "3",
+        "--size",
+        "6x6",
+        "--explorers",
+        "mapping,book",
+        "--csv",
+        runs.to_str().unwrap(),
+        "--standings-csv",
+        standings.to_str().unwrap(),
+    ]);
+    assert_eq!(said.status, 1, "one file could not be read");
+    assert!(said.err.starts_with("tests/fixtures/bad/tab.maze:4:2: "), "{}", said.err);
+    let mazes = std::fs::read_dir("mazes").unwrap().count() + 3;
+    let csv = std::fs::read_to_string(&runs).unwrap();
+    assert!(said.out.starts_with(&format!("{mazes} mazes; medians\nexplorer")), "{}", said.out);
+    assert_eq!(csv.lines().count(), 1 + 2 * mazes);
+    let page = include_str!("../docs/formats.md");
+    assert!(page.contains(csv.lines().next().unwrap()), "the head is documented");
+    assert!(
+        csv.contains("\nmazes/book-3-1.maze,book,finish,,25,49,9800,4,10,4,28,90,9,4.4,9,4.4,9,4.4,1,1\n"),
+        "{csv}"
+    );
+    assert_eq!(std::fs::read_to_string(&standings).unwrap().lines().count(), 3);
+    let samples = linemaze(&["league", "--explorers", "book"]);
+    assert_eq!((samples.status, samples.err.as_str()), (0, ""));
+    let nothing = linemaze(&["league", "tests/fixtures/bad/tab.maze"]);
+    assert_eq!(nothing.status, 2);
+    assert!(nothing.err.contains("no maze to run in"), "{}", nothing.err);
+=======
+/// The report of an explorer, with the exit status.
+fn report_of(maze: &str, explorer: &str, args: &[&str]) -> (i32, Value) {
+    let said = linemaze(&[&["run", maze, "--json", "--explorer", explorer], args].concat());
+    assert_eq!(said.err, "");
+    (said.status, serde_json::from_str(&said.out).unwrap())
+}
+
+#[test]
+fn every_explorer_runs_by_name() {
+    let names = [
+        "book",
+        "left-hand",
+        "right-hand",
+        "direction-sum-left",
+        "direction-sum-right",
+        "mapping",
+        "parex-left",
+        "parex-right",
+        "cornell-1",
+        "cornell-2",
+        "cornell-3",
+        "tremaux",
+        "depth-first",
+        "flood-fill",
+    ];
+    for name in names {
+        let (status, report) = report_of("mazes/tree.maze", name, &[]);
+        assert_eq!(report["explorer"], name);
+        let good = ["finish", "mapped"].contains(&report["outcome"].as_str().unwrap());
+        assert_eq!(status, i32::from(!good), "{name}");
+        let keys = |key: &str| report.get(key).is_some();
+        let squares = ["parex", "cornell", "flood"].iter().any(|kind| name.starts_with(kind));
+        assert_eq!(keys("squares"), squares, "{name}");
+        assert_eq!(keys("bytes"), name.starts_with("cornell"), "{name}");
+        assert_eq!(keys("path"), name.starts_with("parex"), "{name}");
+        assert_eq!((keys("points"), keys("adjacency")), (name == "mapping", name == "mapping"), "{name}");
+    }
+    let said = linemaze(&["run", FIGURE, "--explorer", "magic"]);
+    assert_eq!(said.status, 2);
+    assert!(said.err.contains("cornell-3") && said.err.contains("flood-fill"), "{}", said.err);
+}
+
+#[test]
+fn mapping_reports_the_graph() {
+    let (status, report) = report_of("mazes/sakib-2.maze", "mapping", &["--search", "astar"]);
+    assert_eq!((status, &report["outcome"]), (0, &json!("mapped")));
+    assert_eq!(report["distance_mm"], 820.0);
+    assert_eq!((&report["route_cells"], &report["memory_bytes"]), (&json!(32), &json!(120)));
+    let points = json!([
+        [0, 0], [0, 10], [14, 10], [14, 13], [14, 16], [14, 13],
+        [0, 13], [0, 10], [-5, 10], [0, 10], [14, 10], [14, 2],
+    ]);
+    assert_eq!(report["points"], points);
+    assert_eq!(report["adjacency"]["0,10"], json!([[0, 0], [14, 10], [0, 13], [-5, 10]]));
+    assert_eq!(report["adjacency"].as_object().unwrap().len(), 8);
+}
+
+#[test]
+fn square_explorers_report_squares_as_their_sources_number_them() {
+    let (status, report) = report_of("mazes/parex-1.maze", "parex-right", &[]);
+    assert_eq!(status, 0);
+    assert_eq!(report["squares"], json!([1, 5, 6, 2, 3, 7, 6, 5, 9, 10, 11, 12, 8, 4]));
+    assert_eq!(report["path"], json!([1, 5, 9, 10, 11, 12, 8, 4]));
+    let (_, basic) = report_of("mazes/parex-1.maze", "parex-right", &["--rule", "basic"]);
+    assert_eq!(basic["path"], basic["squares"]);
+    let (status, full) = report_of("mazes/parex-1.maze", "parex-right", &["--path-max", "5"]);
+    assert_eq!((status, &full["outcome"]), (1, &json!("table-full")));
+    assert_eq!(full["reason"], "path full (5 squares)");
+
+    let (status, report) = report_of("mazes/cornell-3x5.maze", "cornell-3", &[]);
+    assert_eq!((status, &report["outcome"], &report["stops"]), (0, &json!("mapped"), &json!(16)));
+    assert_eq!(report["squares"][1], json!([0, 1]));
+    assert_eq!(report["bytes"][0], json!([0x19, 0x1A, 0x1C]));
+    let (status, report) = report_of("mazes/cornell-3x5.maze", "cornell-1", &[]);
+    assert_eq!((status, &report["outcome"]), (1, &json!("circling")));
+    assert!(report["reason"].as_str().unwrap().contains("stop 7 is stop 1 again"));
+}
+
+#[test]
+fn other_explorers_trace_from_stop_0() {
+    let said = linemaze(&["trace", "mazes/sakib-1.maze", "--explorer", "direction-sum-right", "--json"]);
+    assert_eq!(said.status, 0);
+    let stops: Vec<Value> = said.out.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    assert_eq!(stops.len(), 7);
+    let expected = json!({
+        "stop": 0, "at": [0, 0], "seen": "start", "case": "start", "node": null, "leaves": 0, "ptr": null,
+        "returning": null, "cur_x": 0, "cur_y": 0, "crossed_cells": null,
+    });
+    assert_eq!(stops[0], expected);
+    let told = |key: &str| stops.iter().map(|stop| stop[key].clone()).collect::<Vec<_>>();
+    assert_eq!(told("seen"), ["start", "node", "dead-end", "node", "node", "node", "finish"]);
+    assert_eq!(told("leaves")[1..], [json!(1), json!(3), json!(3), json!(0), json!(1), Value::Null]);
+    let people = linemaze(&["trace", "mazes/hand-circles.maze", "--explorer", "left-hand"]);
+    assert_eq!(people.status, 1);
+    assert!(people.out.ends_with("nothing in memory could make it decide otherwise\n"), "{}", people.out);
+>>>>>>> h-core3
 }

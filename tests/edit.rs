@@ -4,7 +4,7 @@
 mod random;
 
 use line_maze_lab::geometry::{Heading, Point};
-use line_maze_lab::maze::edit::{Edit, History, stroke};
+use line_maze_lab::maze::edit::{Edit, History, stroke, walls};
 use line_maze_lab::maze::{About, Bounds, Kind, Maze, Scale, Start};
 use proptest::prelude::*;
 
@@ -123,4 +123,31 @@ fn labels_say_what_is_undone() {
         assert_eq!(history.undo_label().as_deref(), Some(label));
         assert!(!history.apply(edit), "{label} once more changes nothing");
     }
+}
+
+#[test]
+fn walls_are_built_and_opened_between_posts() {
+    let bounds = Bounds::new(Point::new(0, 0), Point::new(2, 2)).unwrap();
+    let mut maze = Maze::new(bounds);
+    maze.kind = Kind::Wall;
+    let mut history = History::new(maze);
+    // Around the middle square, from its south-west corner and back.
+    let corners = [(1, 1), (2, 1), (2, 2), (1, 2), (1, 1)].map(|(x, y)| Point::new(x, y));
+    let ways = |history: &History| history.maze().ways(Point::new(1, 1)).count();
+    for (nth, pair) in corners.windows(2).enumerate() {
+        assert!(history.apply(walls::open(pair[0], pair[1])));
+        assert_eq!(ways(&history), nth as u32 + 1);
+        assert_eq!(history.undo_label().as_deref(), Some("open 1 wall"));
+    }
+    assert!(history.apply(walls::build(corners[0], corners[2])));
+    assert_eq!(history.undo_label().as_deref(), Some("build 2 walls"));
+    let left = history.maze().ways(Point::new(1, 1));
+    assert!(left.has(Heading::North) && left.has(Heading::West) && left.count() == 2);
+    let outer = walls::open(Point::new(0, 0), Point::new(3, 0));
+    assert!(!history.apply(outer), "the outer wall stays");
+    let toggle = walls::toggle(history.maze(), Point::new(1, 1), Heading::North).unwrap();
+    assert!(history.apply(toggle) && ways(&history) == 1);
+    let toggle = walls::toggle(history.maze(), Point::new(1, 2), Heading::South).unwrap();
+    assert!(history.apply(toggle) && ways(&history) == 2);
+    assert_eq!(walls::toggle(history.maze(), Point::new(3, 1), Heading::West), None, "off the lattice");
 }

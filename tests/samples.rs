@@ -6,12 +6,14 @@ mod support;
 use std::collections::BTreeSet;
 
 use line_maze_lab::event::Outcome;
+use line_maze_lab::explorer::name::Name;
 use line_maze_lab::geometry::{Heading, Point};
 use line_maze_lab::maze::samples::{self, SAMPLES};
-use line_maze_lab::maze::{Maze, checks, file, json, text};
+use line_maze_lab::maze::{Kind, Maze, checks, file, json, text};
+use line_maze_lab::playback::Timeline as _;
 use line_maze_lab::route::{Route, TurnList, best};
-use line_maze_lab::run::explore;
-use line_maze_lab::settings::{Order, Pace, Preference, Settings};
+use line_maze_lab::run::{AnyRun, explore, record};
+use line_maze_lab::settings::{Order, Pace, Preference, Rule, Settings};
 use line_maze_lab::trace::Trace;
 
 type Claim = fn(&Maze);
@@ -78,11 +80,75 @@ const CLAIMS: &[(&str, Claim)] = &[
         assert_ne!(maze.start().unwrap().heading, Heading::North);
         assert_eq!((found(maze, "LS"), shortest(maze)), (12, Some(12)));
     }),
+    ("hand-circles", |maze| {
+        let round = Outcome::Circling { first: 1, again: 9 };
+        for name in ["left-hand", "right-hand", "direction-sum-left", "direction-sum-right"] {
+            assert_eq!(other(maze, name).outcome(), round, "{name}");
+        }
+        assert_eq!(run(maze).outcome(), Outcome::Finish);
+    }),
+    ("sakib-1", |maze| {
+        for name in ["direction-sum-right", "direction-sum-left"] {
+            assert_eq!(route_of(maze, name), ("LRR".to_owned(), 8));
+        }
+    }),
+    ("sums-lap", |maze| {
+        assert_eq!(route_of(maze, "direction-sum-right"), ("RRSRS".to_owned(), 14));
+        assert_eq!(route_of(maze, "direction-sum-left"), ("L".to_owned(), 2));
+    }),
+    ("sakib-2", |maze| {
+        let run = other(maze, "mapping");
+        assert_eq!((run.outcome(), run.stops(), maze.scale.cell_mm()), (Outcome::Mapped, 11, 10.0));
+        assert_eq!(route_of(maze, "mapping"), ("RR".to_owned(), 32));
+    }),
+    ("parex-1", |maze| {
+        assert_eq!((maze.kind, maze.loops()), (Kind::Wall, 1));
+        assert_eq!(route_of(maze, "parex-right").1, 7);
+        let basic = Settings { rule: Rule::Basic, ..Settings::default() };
+        let run = record(maze, &basic, Name::ParexRight).unwrap();
+        assert_eq!(run.way(maze).unwrap().route.unwrap().cells(), 13, "14 squares are kept");
+    }),
+    ("parex-special-2", |maze| {
+        assert_eq!((route_of(maze, "parex-right").1, route_of(maze, "parex-left").1), (15, 9));
+    }),
+    ("cornell-6x4", |maze| {
+        assert_eq!(other(maze, "cornell-2").outcome(), Outcome::Circling { first: 20, again: 26 });
+        let run = other(maze, "cornell-3");
+        assert_eq!((run.outcome(), run.stops()), (Outcome::Mapped, 31));
+    }),
+    ("cornell-3x5", |maze| {
+        assert_eq!(other(maze, "cornell-1").outcome(), Outcome::Circling { first: 1, again: 7 });
+        for (name, moves) in [("cornell-2", 18), ("cornell-3", 16)] {
+            assert_eq!((other(maze, name).outcome(), other(maze, name).stops()), (Outcome::Mapped, moves));
+        }
+    }),
+    ("fast-or-short", |maze| {
+        let (start, pace) = (maze.start().unwrap(), Pace::default());
+        let (short, fast) =
+            (best::shortest(maze, start, &pace).unwrap(), best::fastest(maze, start, &pace).unwrap());
+        assert_eq!((short.cells, fast.cells), (8, 10));
+        assert!(fast.seconds < short.seconds);
+        // Turns that take no time make them the same.
+        let nimble = Pace { turn_s: 0.0, ..pace };
+        assert_eq!(best::fastest(maze, start, &nimble).unwrap().cells, 8);
+        assert_eq!(route_of(maze, "flood-fill").1, 10, "the first way there is not the shortest");
+    }),
 ];
 
 /// A run of the book's explorer with its defaults.
 fn run(maze: &Maze) -> Trace {
     explore(maze, &Settings::default()).unwrap()
+}
+
+/// A run of another explorer with its defaults.
+fn other(maze: &Maze, name: &str) -> AnyRun {
+    record(maze, &Settings::default(), name.parse().unwrap()).unwrap()
+}
+
+/// The letters and cells of the route that it leaves.
+fn route_of(maze: &Maze, name: &str) -> (String, u32) {
+    let way = other(maze, name).way(maze).unwrap();
+    (way.list.to_string(), way.route.unwrap().cells())
 }
 
 /// The route that the run leaves has these letters and leads to the finish; its cells.
@@ -117,6 +183,24 @@ fn every_sample_keeps_its_claim() {
 }
 
 #[test]
+fn every_explorer_has_a_sample_that_shows_what_it_cannot_do() {
+    for name in Name::ALL {
+        let file = name.about().sample;
+        assert!(SAMPLES.iter().any(|sample| sample.file == file), "{name}: {file}");
+    }
+    // Those that map drive every line, though the finish is near: 6 cells away.
+    let long_way = SAMPLES.iter().find(|sample| sample.file == "long-way").unwrap().maze();
+    for name in ["mapping", "cornell-3"] {
+        let run = other(&long_way, name);
+        assert!(run.total().cells > 54, "{name}");
+        assert_eq!(route_of(&long_way, name).1, 6);
+    }
+    for name in ["tremaux", "depth-first"] {
+        assert_eq!(route_of(&long_way, name).1, 54, "{name}");
+    }
+}
+
+#[test]
 fn files_shelf_and_claims_are_the_same() {
     let files: BTreeSet<String> = std::fs::read_dir("mazes")
         .unwrap()
@@ -145,9 +229,12 @@ fn every_sample_can_be_read_and_says_what_it_is() {
 }
 
 #[test]
-fn files_are_as_the_program_would_draw_them() {
+fn files_are_as_the_program_would_write_them() {
     for sample in SAMPLES {
-        assert_eq!(text::write_drawing(&sample.maze()), sample.text, "{}", sample.file);
+        let (maze, text) = (sample.maze(), sample.text);
+        let list = text.contains("\nlines:\n");
+        let written = if list { text::write(&maze) } else { text::write_drawing(&maze) };
+        assert_eq!(written, text, "{}", sample.file);
     }
 }
 
@@ -159,6 +246,8 @@ fn no_sample_has_a_finding_that_it_does_not_teach() {
             "no-finish-reachable" => {
                 assert_eq!(titles, ["Finish can’t be reached", "Lines apart from the rest"])
             }
+            // They are about mapping: a finish is no matter to it.
+            "cornell-6x4" | "cornell-3x5" => assert_eq!(titles, ["No finish"]),
             file => assert!(titles.is_empty(), "{file}: {titles:?}"),
         }
     }

@@ -25,8 +25,9 @@ fn settings() -> impl Strategy<Value = Settings> {
             ..Pace::default()
         }),
     ];
-    (order, any::<Option<u32>>(), any::<u32>(), pace)
-        .prop_map(|(order, epsilon_ms, node_max, pace)| Settings { order, epsilon_ms, node_max, pace })
+    (order, any::<Option<u32>>(), any::<u32>(), pace).prop_map(|(order, epsilon_ms, node_max, pace)| {
+        Settings { order, epsilon_ms, node_max, pace, ..Settings::default() }
+    })
 }
 
 fn shared() -> impl Strategy<Value = Shared> {

@@ -15,6 +15,7 @@
 
 use crate::event::{Decision, Finish, Outcome, Seen, Sighting};
 use crate::explorer::Explorer;
+use crate::explorer::taste::Taste;
 use crate::geometry::{Heading, Turn, Ways};
 use crate::settings::Order;
 
@@ -111,27 +112,6 @@ pub enum Event {
     Case(Case),
 }
 
-/// Source of preference orders.
-#[derive(Clone, Debug)]
-enum Taste {
-    Fixed([Turn; 3]),
-    Random(oorandom::Rand32),
-}
-
-impl Taste {
-    fn order(&mut self) -> [Turn; 3] {
-        match self {
-            Self::Fixed(order) => *order,
-            Self::Random(chance) => {
-                let mut order = [Turn::Straight, Turn::Right, Turn::Left];
-                order.swap(2, chance.rand_range(0..3) as usize);
-                order.swap(1, chance.rand_range(0..2) as usize);
-                order
-            }
-        }
-    }
-}
-
 /// The state of the book's explorer, over any table of nodes.
 ///
 /// ```
@@ -162,10 +142,7 @@ impl<S: NodeStore> Book<S> {
     /// A bot at the start, with an empty table; `epsilon` in milliseconds.
     #[must_use]
     pub fn new(nodes: S, order: Order, epsilon: u32) -> Self {
-        let taste = match order {
-            Order::Fixed(preference) => Taste::Fixed(preference.turns()),
-            Order::Random(seed) => Taste::Random(oorandom::Rand32::new(seed)),
-        };
+        let taste = Taste::new(order);
         Self { cur_x: 0, cur_y: 0, bot_dir: Heading::North, returning: false, nodes, taste, epsilon }
     }
 

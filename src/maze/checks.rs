@@ -1,11 +1,12 @@
 //! What is in order in a maze and what is not, in sentences that name the place and the cure.
 
+mod walls;
 mod words;
 
 use alloc::vec;
 use alloc::vec::Vec;
 
-use super::{Bounds, Maze, Start};
+use super::{Bounds, Kind, Maze, Start};
 use crate::geometry::{Heading, Point, Ways};
 
 /// How much a finding matters.
@@ -24,7 +25,7 @@ pub enum Finding {
     NoLines,
     /// The robot is not put down anywhere.
     NoStart,
-    /// The start is beside the lines.
+    /// The start is beside the lines, or a square with walls all round.
     StartOffLine(Start),
     /// The start is on a line, but not at its end.
     StartNotAtEnd {
@@ -42,7 +43,7 @@ pub enum Finding {
     },
     /// There is no finish.
     NoFinish,
-    /// A finish point is beside the lines.
+    /// A finish point is beside the lines, or a square with walls all round.
     FinishOffLine(Point),
     /// No line leads from the start to the finish.
     FinishUnreachable {
@@ -69,7 +70,7 @@ pub struct Piece {
 /// Something that is as it should be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum InOrder {
-    /// The start is at a line's end and faces along it.
+    /// The start is at a line's end and faces along it; in a walled maze it is in a square with a way out.
     Start(Start),
     /// A line leads from the start to the finish.
     Finish {
@@ -120,11 +121,13 @@ pub fn check(maze: &Maze) -> Vec<Finding> {
     report(maze).findings
 }
 
-/// The start, if the book's robot can be put down there.
+/// The start, if a robot can be put down there.
 fn start(maze: &Maze) -> Result<Start, Finding> {
     let start = maze.start().ok_or(Finding::NoStart)?;
     match maze.ways(start.at) {
         Ways::NONE => Err(Finding::StartOffLine(start)),
+        // A mouse knows its square by counting: it may start anywhere.
+        _ if maze.kind == Kind::Wall => Ok(start),
         ways => match ways.only() {
             Some(along) if along == start.heading => Ok(start),
             Some(along) => Err(Finding::StartFacesAway { start, along }),

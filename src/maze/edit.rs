@@ -4,6 +4,7 @@
 //! when it is undone, and turned round again when it is redone.
 
 mod label;
+pub mod walls;
 
 use alloc::boxed::Box;
 use alloc::string::String;

@@ -2,9 +2,10 @@
 
 use alloc::format;
 use alloc::string::String;
+use alloc::vec::Vec;
 use core::fmt;
 
-use super::{Maze, json, text};
+use super::{Maze, json, micromouse, svg, text};
 
 /// Why a file is no maze.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -18,6 +19,8 @@ pub enum ReadError {
     },
     /// It begins like JSON.
     Json(json::JsonError),
+    /// It looks like a micromouse file.
+    Micromouse(micromouse::MicromouseError),
     /// It is none of the other formats, so it should be a `.maze` file.
     Text(text::ParseError),
 }
@@ -31,21 +34,24 @@ pub fn read(bytes: &[u8]) -> Result<Maze, ReadError> {
     if bytes.len() > json::MAX_BYTES {
         return Err(ReadError::Json(json::JsonError::TooLarge { bytes: bytes.len() }));
     }
+    if let Some(maze) = micromouse::read(bytes) {
+        return maze.map_err(ReadError::Micromouse);
+    }
     let text = core::str::from_utf8(bytes).map_err(|error| ReadError::NotText { at: error.valid_up_to() })?;
-    match Format::of(text) {
+    match TextFormat::of(text) {
         None => Err(ReadError::Empty),
-        Some(Format::Json) => json::parse(text).map_err(ReadError::Json),
-        Some(Format::Text) => text::parse(text).map_err(ReadError::Text),
+        Some(TextFormat::Json) => json::parse(text).map_err(ReadError::Json),
+        Some(TextFormat::Text) => text::parse(text).map_err(ReadError::Text),
     }
 }
 
-/// The formats that are told apart by content.
-enum Format {
+/// The text formats that are told apart by content.
+enum TextFormat {
     Json,
     Text,
 }
 
-impl Format {
+impl TextFormat {
     fn of(text: &str) -> Option<Self> {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text).trim_start();
         match text.bytes().next()? {
@@ -64,6 +70,7 @@ impl fmt::Display for ReadError {
                 "Byte {at}: this is not text in UTF-8. A maze file is text; save it as UTF-8, or choose another file."
             ),
             Self::Json(error) => error.fmt(f),
+            Self::Micromouse(error) => error.fmt(f),
             Self::Text(error) => error.fmt(f),
         }
     }
@@ -74,8 +81,65 @@ impl core::error::Error for ReadError {
         match self {
             Self::Empty | Self::NotText { .. } => None,
             Self::Json(error) => Some(error),
+            Self::Micromouse(error) => Some(error),
             Self::Text(error) => Some(error),
         }
+    }
+}
+
+/// A format that a maze can be written in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    /// `.maze`, for people.
+    Text,
+    /// `.json`, for programs.
+    Json,
+    /// `.svg`, a picture in true size.
+    Picture,
+    /// `.txt`, `.map`, `.num` and `.maz`: walls only.
+    Micromouse(micromouse::Form),
+}
+
+impl Format {
+    /// All of them.
+    pub const ALL: [Self; 7] = [
+        Self::Text,
+        Self::Json,
+        Self::Picture,
+        Self::Micromouse(micromouse::Form::Online),
+        Self::Micromouse(micromouse::Form::Map),
+        Self::Micromouse(micromouse::Form::Num),
+        Self::Micromouse(micromouse::Form::Binary),
+    ];
+
+    /// What its files are called, without the dot.
+    #[must_use]
+    pub const fn extension(self) -> &'static str {
+        match self {
+            Self::Text => "maze",
+            Self::Json => "json",
+            Self::Picture => "svg",
+            Self::Micromouse(form) => form.extension(),
+        }
+    }
+
+    /// The format of files that end so; capitals are no matter.
+    #[must_use]
+    pub fn of_extension(extension: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|format| format.extension().eq_ignore_ascii_case(extension))
+    }
+}
+
+/// Writes a maze.
+///
+/// # Errors
+/// Where the maze cannot be said in the format; only micromouse files have such limits.
+pub fn write(maze: &Maze, format: Format) -> Result<Vec<u8>, micromouse::CannotSay> {
+    match format {
+        Format::Text => Ok(text::write(maze).into_bytes()),
+        Format::Json => Ok(json::write(maze).into_bytes()),
+        Format::Picture => Ok(svg::write(maze).into_bytes()),
+        Format::Micromouse(form) => micromouse::write(maze, form),
     }
 }
 

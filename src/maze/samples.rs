@@ -1,4 +1,4 @@
-//! The mazes on the shelf: the book's figures, and small mazes that each make one point. Their files are in
+//! The mazes on the shelf: figures of the book and of the other sources, and small mazes that each make one point. Their files are in
 //! `mazes/`, and `tests/samples.rs` holds each to its claim.
 
 use super::{Bounds, Maze, text};
@@ -47,6 +47,15 @@ pub const SAMPLES: &[Sample] = &[
     sample!("long-way", "A long way"),
     sample!("sixty-one-nodes", "61 nodes"),
     sample!("turned", "Turned"),
+    sample!("hand-circles", "Finish in a loop"),
+    sample!("sakib-1", "Sakib 1"),
+    sample!("sums-lap", "A lap"),
+    sample!("sakib-2", "Sakib 2, 3"),
+    sample!("parex-1", "PAReX 1"),
+    sample!("parex-special-2", "PAReX 2"),
+    sample!("cornell-6x4", "Cornell 6×4"),
+    sample!("cornell-3x5", "Cornell 3×5"),
+    sample!("fast-or-short", "Fast or short"),
 ];
 
 /// The book's figure 3.1.

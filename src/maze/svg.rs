@@ -3,8 +3,8 @@
 use alloc::string::String;
 use core::fmt::{self, Write};
 
-use super::{Kind, Maze, Start, polyline};
-use crate::geometry::{Heading, Point};
+use super::{Kind, Maze, Start, polyline, walls};
+use crate::geometry::Point;
 
 /// Writes the picture. A line is as wide as the scale says, the finish is a black block, the start a green
 /// disc with an arrow; one cell of white is left around the lattice. Colours are fixed: it is for paper.
@@ -127,26 +127,22 @@ fn draw_lines(out: &mut String, maze: &Maze, floor: &Floor) -> fmt::Result {
     out.write_str("\"/>\n")
 }
 
-/// Walls stand half a cell from the middles of squares, wherever there is no opening.
+/// Walls stand half a cell from the middles of squares; a lone post is a stroke of no length.
 fn draw_walls(out: &mut String, maze: &Maze, floor: &Floor) -> fmt::Result {
     begin_stroke(out, floor)?;
-    let bounds = maze.bounds();
     let half = floor.cell_um / 2;
-    for at in bounds.points() {
+    let post = |at: Point| {
         let (x, y) = floor.point(at);
-        let (left, top, cell) = (Mm(x - half), Mm(y - half), Mm(floor.cell_um));
-        // A wall between two squares is drawn once, by the one that is south or west of it.
-        for heading in Heading::ALL {
-            let own = matches!(heading, Heading::North | Heading::East) || !bounds.contains(at.step(heading));
-            if own && !maze.has_line(at, heading) {
-                match heading {
-                    Heading::North => write!(out, "M{left} {top}h{cell}")?,
-                    Heading::South => write!(out, "M{left} {}h{cell}", Mm(y + half))?,
-                    Heading::East => write!(out, "M{} {top}v{cell}", Mm(x + half))?,
-                    Heading::West => write!(out, "M{left} {top}v{cell}")?,
-                }
-            }
-        }
+        (x - half, y + half)
+    };
+    for run in walls::runs(maze) {
+        let (from, to) = (post(run.from), post(run.to));
+        write!(out, "M{}", Pair(Mm(from.0), Mm(from.1)))?;
+        if from.1 == to.1 { write!(out, "H{}", Mm(to.0))? } else { write!(out, "V{}", Mm(to.1))? }
+    }
+    for at in walls::lone_posts(maze) {
+        let (x, y) = post(at);
+        write!(out, "M{}h0", Pair(Mm(x), Mm(y)))?;
     }
     out.write_str("\"/>\n")
 }
@@ -224,9 +220,9 @@ mod tests {
 
     #[test]
     fn walls_stand_where_there_is_no_opening() {
-        let walls = picture("kind: wall\ncell_mm: 100\nline_mm: 10\n\n>---F\n");
+        let walls = picture("kind: wall\ncell_mm: 100\nline_mm: 10\n\n>---F\n|   |\n+---+\n");
         let path = walls.lines().find(|line| line.contains("stroke")).unwrap();
-        assert_eq!(path.matches('M').count(), 6, "{path}");
-        assert!(!path.contains("M150 50v"), "no wall between the two squares: {path}");
+        // A square room of two by two cells, and the post in its middle.
+        assert!(path.ends_with("d=\"M50 250H250M50 50H250M50 250V50M250 250V50M150 150h0\"/>"), "{path}");
     }
 }

@@ -1,14 +1,14 @@
-//! The best routes that a maze has, for those who can see it: the shortest, and the quickest.
+//! The best routes that a maze has, for those who can see it: the shortest, and the quickest from where the robot
+//! faces at the start.
 //!
-//! Both are one search over the stops (nodes and the finish) with the headings on arrival, as a turn costs time; corners
-//! and straight line between two stops leave no choice and are driven at once.
+//! The shortest is a breadth-first search over cells; of all shortest ways the quickest is taken. The quickest is
+//! an A* search over stops and the headings on arrival, as a turn costs time.
 
-use alloc::collections::BinaryHeap;
-use alloc::vec::Vec;
-use core::cmp::{Ordering, Reverse};
+mod fastest;
+mod shortest;
 
-use super::tally::Tally;
-use crate::geometry::{Heading, Point, Turn, Ways};
+use super::{Route, Way};
+use crate::geometry::Heading;
 use crate::maze::{Maze, Start};
 use crate::settings::Pace;
 
@@ -19,6 +19,13 @@ pub struct Best {
     pub cells: u32,
     /// Its time.
     pub seconds: f64,
+}
+
+impl Best {
+    fn of(route: &Route, maze: &Maze, pace: &Pace) -> Self {
+        let tally = route.tally();
+        Self { cells: tally.cells, seconds: tally.seconds(maze.scale.cell_mm(), pace) }
+    }
 }
 
 /// The shortest way to the finish, and of several the quickest; none where no way leads there.
@@ -36,122 +43,34 @@ pub struct Best {
 /// ```
 #[must_use]
 pub fn shortest(maze: &Maze, start: Start, pace: &Pace) -> Option<Best> {
-    search(maze, start, pace, |best| Cost(f64::from(best.cells), best.seconds))
+    shortest_route(maze, start, pace).map(|route| Best::of(&route, maze, pace))
 }
 
-/// The quickest way to the finish, and of several the shortest; none where no way leads there.
+/// The quickest way to the finish; none where no way leads there.
 #[must_use]
 pub fn fastest(maze: &Maze, start: Start, pace: &Pace) -> Option<Best> {
-    search(maze, start, pace, |best| Cost(best.seconds, f64::from(best.cells)))
+    fastest_route(maze, start, pace).map(|route| Best::of(&route, maze, pace))
 }
 
-/// What is to be least, and what decides between equals.
-#[derive(Clone, Copy, Debug)]
-struct Cost(f64, f64);
-
-impl Ord for Cost {
-    fn cmp(&self, other: &Self) -> Ordering {
-        self.0.total_cmp(&other.0).then(self.1.total_cmp(&other.1))
-    }
+/// [`shortest`] with every stop.
+#[must_use]
+pub fn shortest_route(maze: &Maze, start: Start, pace: &Pace) -> Option<Route> {
+    let way = shortest::search(maze, start, pace)?;
+    drive(maze, start, &way)
 }
 
-impl PartialOrd for Cost {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
+/// [`fastest`] with every stop.
+#[must_use]
+pub fn fastest_route(maze: &Maze, start: Start, pace: &Pace) -> Option<Route> {
+    let way = fastest::search(maze, start, pace)?;
+    drive(maze, start, &way)
 }
 
-impl PartialEq for Cost {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other).is_eq()
+/// The drive along these headings, a cell each.
+fn drive(maze: &Maze, start: Start, headings: &[Heading]) -> Option<Route> {
+    let mut way = Way::new(maze, start);
+    for &heading in headings {
+        way.cell(heading)?;
     }
-}
-
-impl Eq for Cost {}
-
-/// A drive up to a stop; the least costly is the greatest, as a heap wants it.
-struct Drive {
-    cost: Reverse<Cost>,
-    tally: Tally,
-    at: Point,
-    heading: Heading,
-}
-
-impl Ord for Drive {
-    fn cmp(&self, other: &Self) -> Ordering {
-        self.cost.cmp(&other.cost)
-    }
-}
-
-impl PartialOrd for Drive {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl PartialEq for Drive {
-    fn eq(&self, other: &Self) -> bool {
-        self.cost == other.cost
-    }
-}
-
-impl Eq for Drive {}
-
-/// Dijkstra's search. Turning round is only tried at the start: anywhere else it comes back to where the
-/// drive has been already.
-fn search(maze: &Maze, start: Start, pace: &Pace, cost: fn(Best) -> Cost) -> Option<Best> {
-    let cell_mm = maze.scale.cell_mm();
-    let best = |tally: Tally| Best { cells: tally.cells, seconds: tally.seconds(cell_mm, pace) };
-    let drive = |tally, at, heading| Drive { cost: Reverse(cost(best(tally))), tally, at, heading };
-    let bounds = maze.bounds();
-    // The headings with which a point was reached at its least cost.
-    let mut reached: Vec<Ways> = alloc::vec![Ways::NONE; bounds.len()];
-    let mut todo = BinaryHeap::from([drive(Tally::default(), start.at, start.heading)]);
-    while let Some(Drive { tally, at, heading, .. }) = todo.pop() {
-        if maze.is_finish(at) {
-            return Some(best(tally));
-        }
-        let index = bounds.index(at)?;
-        if reached[index].has(heading) {
-            continue;
-        }
-        reached[index] = reached[index].with(heading);
-        for turn in Turn::ALL {
-            if turn != Turn::Back || tally.stops == 0 {
-                let turned = tally.turned(turn);
-                todo.extend(follow(maze, turned, at, heading.turned(turn)).map(|(t, at, h)| drive(t, at, h)));
-            }
-        }
-    }
-    None
-}
-
-/// Drives on to the next node or finish; none where there is no line, or it ends, or comes back to where the
-/// drive began.
-fn follow(
-    maze: &Maze,
-    mut tally: Tally,
-    from: Point,
-    mut heading: Heading,
-) -> Option<(Tally, Point, Heading)> {
-    let (mut at, mut cells) = (from, 0);
-    if !maze.has_line(at, heading) {
-        return None;
-    }
-    loop {
-        at = at.step(heading);
-        cells += 1;
-        let ways = maze.ways(at);
-        if at == from {
-            return None;
-        }
-        if maze.is_finish(at) || ways.count() > 2 {
-            return Some((tally.driven(cells), at, heading));
-        }
-        let next = ways.without(heading.opposite()).only()?;
-        if next != heading {
-            tally = tally.driven(cells).turned(heading.turn_to(next));
-            (cells, heading) = (0, next);
-        }
-    }
+    Some(way.end())
 }

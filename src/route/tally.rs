@@ -20,6 +20,9 @@ pub struct Tally {
 }
 
 impl Tally {
+    /// Nothing driven yet.
+    pub const NONE: Self = Self { cells: 0, right_turns: 0, left_turns: 0, u_turns: 0, stops: 0 };
+
     /// This much, and a turn.
     #[must_use]
     pub const fn turned(self, turn: Turn) -> Self {
@@ -35,6 +38,12 @@ impl Tally {
     #[must_use]
     pub const fn driven(self, cells: u32) -> Self {
         Self { cells: self.cells + cells, stops: self.stops + 1, ..self }
+    }
+
+    /// Turns of any kind.
+    #[must_use]
+    pub const fn turns(&self) -> u32 {
+        self.right_turns + self.left_turns + self.u_turns
     }
 
     /// Seconds that it takes with cells of this length.

@@ -2,9 +2,12 @@
 
 use std::path::PathBuf;
 
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
-use line_maze_lab::maze::MAX_SIDE;
-use line_maze_lab::settings::{NODE_MAX, Order, Pace, Settings};
+use line_maze_lab::explorer::name::Name;
+use line_maze_lab::maze::generate::Recipe;
+use line_maze_lab::maze::{Kind, MAX_SIDE};
+use line_maze_lab::settings::{self, NODE_MAX, Order, Pace, PaceError, Settings, limits};
 use line_maze_lab::trace::MAX_NODES;
 
 /// Explore line mazes as a robot does that cannot see them: stop by stop, by the algorithm of a book.
@@ -20,12 +23,15 @@ Examples:
   linemaze run mazes/book-3-1.maze                   how the run ended, and how good its route is
   linemaze run mazes/book-3-1.maze --json            the same for a program
   linemaze trace mazes/book-3-1.maze                 what the robot did at every stop
+  linemaze run mazes/book-3-1.maze --explorer mapping    the same maze with another algorithm
   linemaze generate --size 20x12 --seed 7 | linemaze run -
   linemaze check mine.maze                           what is not in order, where, and what to do
   linemaze convert mine.maze mine.svg                a picture in true size
+  linemaze compare mine.maze --explorers book,mapping,flood-fill
+  linemaze league --generate 500 --size 16x16        who solves most, and how well
 
 Exit status:
-  0  the finish was reached, the maze is clean, the file is written
+  0  the finish was reached, all is mapped, the maze is clean, the file is written
   1  the run ended elsewhere, or there are findings
   2  the arguments or the input make no sense; standard error says where: FILE:LINE:COLUMN: message";
 
@@ -37,6 +43,21 @@ pub(crate) enum Command {
     /// Explore a maze and tell every stop.
     #[command(after_help = RUN_STATUS)]
     Trace(Explore),
+    /// Print the turn list that a run leaves, for a board or another program.
+    #[command(
+        after_help = "Exit status: 0 printed, 1 the run left no way to the finish, 2 bad input.\n\nExample: linemaze turns mazes/book-3-1.maze --form c"
+    )]
+    Turns(Turns),
+    /// Put explorers side by side in one maze: a table, and where they part from the first of them.
+    #[command(
+        after_help = "Examples:\n  linemaze compare mazes/book-3-1.maze --explorers book,mapping,cornell-3\n  linemaze compare mazes/long-way.maze --random-orders 1000"
+    )]
+    Compare(Compare),
+    /// Run explorers over many mazes, on all cores: share solved, medians, CSV.
+    #[command(
+        after_help = "Exit status: 0 done, 1 done without the files that could not be read, 2 nothing to run.\n\nExamples:\n  linemaze league --samples --generate 500 --size 16x16 --csv runs.csv\n  linemaze league my-mazes/ --explorers book,mapping"
+    )]
+    League(League),
     /// Say what is not in order in a maze, where, and what to do about it.
     #[command(after_help = "Exit status: 0 nothing found, 1 findings, 2 unreadable.")]
     Check {
@@ -48,21 +69,22 @@ pub(crate) enum Command {
         after_help = "Example: linemaze generate --size 9x6 --loops 25% --dead-ends 80% --seed 1924 > mine.maze"
     )]
     Generate(Generate),
-    /// Write a maze in another format; OUT's extension chooses: .maze, .json or .svg.
+    /// Write a maze in another format; OUT's extension chooses.
     #[command(after_help = "What IN is, its content tells. OUT is replaced if it exists.")]
     Convert {
         #[arg(value_name = "IN", help = MAZE_HELP)]
         from: PathBuf,
-        /// The file to write: .maze (text), .json (for programs) or .svg (a picture in true size)
+        /// The file to write: .maze (text), .json (for programs), .svg (a picture in true size); walls also as
+        /// micromouse files: .txt (drawing), .map, .num (mms), .maz (256 bytes)
         #[arg(value_name = "OUT")]
         to: PathBuf,
     },
 }
 
-const RUN_STATUS: &str =
-    "Exit status: 0 finish reached, 1 any other outcome, 2 the input or the arguments make no sense.";
+const RUN_STATUS: &str = "Exit status: 0 finish reached or all mapped, 1 any other outcome, 2 the input or the arguments make no sense.";
 
-const MAZE_HELP: &str = "A maze file of any readable format (.maze, JSON), or - for standard input";
+const MAZE_HELP: &str =
+    "A maze file of any readable format (.maze, JSON, micromouse), or - for standard input";
 
 /// What `run` and `trace` take.
 #[derive(Args)]
@@ -70,11 +92,18 @@ pub(crate) struct Explore {
     #[arg(value_name = "MAZE", help = MAZE_HELP)]
     pub(crate) maze: PathBuf,
     /// Whose algorithm drives
-    #[arg(long, value_name = "NAME", value_enum, default_value_t)]
-    explorer: Explorer,
+    #[arg(long, value_name = "NAME", default_value_t, value_parser = names())]
+    pub(crate) explorer: Name,
     /// Print JSON: one object for `run`, one a line for each stop for `trace`
     #[arg(long)]
     pub(crate) json: bool,
+    #[command(flatten)]
+    pub(crate) settings: Options,
+}
+
+/// What explorers and their robots can be set to.
+#[derive(Args)]
+pub(crate) struct Options {
     /// Which way is tried first at a node: S, R and L once each; random:SEED draws anew at each choice
     #[arg(long, value_name = "ORDER", default_value = "SRL")]
     order: Order,
@@ -84,6 +113,15 @@ pub(crate) struct Explore {
     /// Nodes that the robot can remember at once
     #[arg(long, value_name = "N", default_value_t = NODE_MAX, value_parser = clap::value_parser!(u32).range(1..=i64::from(MAX_NODES)))]
     node_max: u32,
+    /// PAReX: whether the path is cut only two steps back (basic), or anywhere (special case 1)
+    #[arg(long, value_enum, default_value_t)]
+    rule: Rule,
+    /// PAReX: squares that the path can hold, 48 in the article [default: no limit]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    path_max: Option<u32>,
+    /// Mapping: how the routes are found on the map
+    #[arg(long, value_enum, default_value_t)]
+    search: Search,
     /// Millimetres a second on a straight
     #[arg(long, value_name = "MM_S", default_value_t = Pace::default().speed_mm_s, value_parser = speed)]
     speed: f64,
@@ -98,31 +136,141 @@ pub(crate) struct Explore {
     stop_s: f64,
 }
 
-impl Explore {
+impl Options {
     /// The settings that the options make.
     pub(crate) const fn settings(&self) -> Settings {
-        match self.explorer {
-            Explorer::Book => Settings {
-                order: self.order,
-                epsilon_ms: self.epsilon,
-                node_max: self.node_max,
-                pace: Pace {
-                    speed_mm_s: self.speed,
-                    turn_s: self.turn_s,
-                    uturn_s: self.uturn_s,
-                    stop_s: self.stop_s,
-                },
+        Settings {
+            order: self.order,
+            epsilon_ms: self.epsilon,
+            node_max: self.node_max,
+            pace: Pace {
+                speed_mm_s: self.speed,
+                turn_s: self.turn_s,
+                uturn_s: self.uturn_s,
+                stop_s: self.stop_s,
+            },
+            rule: match self.rule {
+                Rule::Basic => settings::Rule::Basic,
+                Rule::Special1 => settings::Rule::Special1,
+            },
+            path_max: self.path_max,
+            search: match self.search {
+                Search::Dijkstra => settings::Search::Dijkstra,
+                Search::Astar => settings::Search::AStar,
             },
         }
     }
 }
 
-/// The algorithms that there are.
+/// What `turns` takes.
+#[derive(Args)]
+pub(crate) struct Turns {
+    #[arg(value_name = "MAZE", help = MAZE_HELP)]
+    pub(crate) maze: PathBuf,
+    /// Whose algorithm drives
+    #[arg(long, value_name = "NAME", default_value_t, value_parser = names())]
+    pub(crate) explorer: Name,
+    /// How the list is written
+    #[arg(long, value_enum, default_value_t)]
+    pub(crate) form: TurnsForm,
+    /// A letter for each corner too, not only for nodes
+    #[arg(long)]
+    pub(crate) corners: bool,
+    #[command(flatten)]
+    pub(crate) settings: Options,
+}
+
+/// How a turn list is written.
 #[derive(Clone, Copy, Debug, Default, ValueEnum)]
-enum Explorer {
-    /// Dhasade and Joshi, Maze Solving Robot, 2017
+pub(crate) enum TurnsForm {
+    /// SSR
     #[default]
-    Book,
+    Letters,
+    /// One object
+    Json,
+    /// A line a turn
+    Csv,
+    /// An array for an Arduino sketch
+    C,
+}
+
+/// What `compare` takes.
+#[derive(Args)]
+pub(crate) struct Compare {
+    #[arg(value_name = "MAZE", help = MAZE_HELP)]
+    pub(crate) maze: PathBuf,
+    /// Two to six explorers, with commas between them
+    #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = names(), hide_possible_values = true,
+        default_value = "book,left-hand,right-hand,mapping,tremaux,flood-fill")]
+    pub(crate) explorers: Vec<Name>,
+    /// Print JSON: one object an explorer, as `run --json` does
+    #[arg(long)]
+    pub(crate) json: bool,
+    /// Instead: this many runs of the book's explorer, each with its own random order; how long are the routes?
+    #[arg(long, value_name = "N", conflicts_with_all = ["explorers", "json", "order"],
+        value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
+    pub(crate) random_orders: Option<u64>,
+    #[command(flatten)]
+    pub(crate) settings: Options,
+}
+
+/// What `league` takes.
+#[derive(Args)]
+pub(crate) struct League {
+    /// Maze files of any readable format, and folders of them
+    #[arg(value_name = "MAZE")]
+    pub(crate) mazes: Vec<PathBuf>,
+    /// The lab's own samples too; alone, they are the default
+    #[arg(long)]
+    pub(crate) samples: bool,
+    /// This many generated mazes, with seeds from --seed on
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    pub(crate) generate: Option<u32>,
+    #[command(flatten)]
+    pub(crate) recipe: Generate,
+    /// Explorers, with commas between them [default: all]
+    #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = names(), hide_possible_values = true)]
+    explorers: Vec<Name>,
+    /// Write a line for each run into this file
+    #[arg(long, value_name = "FILE")]
+    pub(crate) csv: Option<PathBuf>,
+    /// Write a line for each explorer into this file: medians, quartiles, share solved
+    #[arg(long, value_name = "FILE")]
+    pub(crate) standings_csv: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) settings: Options,
+}
+
+impl League {
+    /// Who runs; each once.
+    pub(crate) fn explorers(&self) -> Vec<Name> {
+        if self.explorers.is_empty() {
+            return Name::ALL.to_vec();
+        }
+        let chosen = |name: &&Name| self.explorers.contains(name);
+        Name::ALL.iter().filter(chosen).copied().collect()
+    }
+}
+
+/// The explorers' names, each with its title in the help.
+fn names() -> impl TypedValueParser<Value = Name> {
+    let name = |name: &Name| PossibleValue::new(name.text()).help(name.about().title);
+    PossibleValuesParser::new(Name::ALL.iter().map(name)).try_map(|text| text.parse::<Name>())
+}
+
+#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+enum Rule {
+    Basic,
+    #[default]
+    #[value(name = "special-1")]
+    Special1,
+}
+
+#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+enum Search {
+    #[default]
+    Dijkstra,
+    Astar,
 }
 
 /// What `generate` takes.
@@ -143,6 +291,23 @@ pub(crate) struct Generate {
     /// Drawn as lines on the floor, or as walls between squares
     #[arg(long, value_name = "KIND", value_enum, default_value_t)]
     pub(crate) kind: Drawn,
+}
+
+impl Generate {
+    /// The recipe that the options make.
+    pub(crate) const fn recipe(&self) -> Recipe {
+        Recipe {
+            width: self.size.width,
+            height: self.size.height,
+            loops_percent: self.loops,
+            dead_ends_cut_percent: self.dead_ends,
+            seed: self.seed,
+            kind: match self.kind {
+                Drawn::Line => Kind::Line,
+                Drawn::Wall => Kind::Wall,
+            },
+        }
+    }
 }
 
 /// Points along the sides.
@@ -178,15 +343,10 @@ fn percent(text: &str) -> Result<u8, String> {
     }
 }
 
-fn speed(text: &str) -> Result<f64, String> {
-    let positive = |speed: &f64| speed.is_finite() && *speed > 0.0;
-    text.parse()
-        .ok()
-        .filter(positive)
-        .ok_or_else(|| "a speed is a number above 0, in millimetres a second".to_owned())
+fn speed(text: &str) -> Result<f64, PaceError> {
+    text.parse().map_err(|_| PaceError::Speed).and_then(limits::speed)
 }
 
-fn seconds(text: &str) -> Result<f64, String> {
-    let sound = |seconds: &f64| (0.0..=60.0).contains(seconds);
-    text.parse().ok().filter(sound).ok_or_else(|| "a time is a number of seconds from 0 to 60".to_owned())
+fn seconds(text: &str) -> Result<f64, PaceError> {
+    text.parse().map_err(|_| PaceError::Seconds).and_then(limits::seconds)
 }

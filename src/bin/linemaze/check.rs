@@ -21,13 +21,18 @@ pub(crate) fn check(path: &Path, out: &mut impl Write) -> Result<Status, Failure
             let (sw, ne) = (place.sw(), place.ne());
             if sw == ne { format!(" at {sw}") } else { format!(" from {sw} to {ne}") }
         });
-        writeln!(out, "{name}: {severity}{place}: {}. {}", finding.title(), finding.cure())?;
+        writeln!(
+            out,
+            "{name}: {severity}{place}: {}. {}",
+            finding.title_in(maze.kind),
+            finding.cure_in(maze.kind)
+        )?;
     }
     if report.findings.is_empty() {
         writeln!(out, "{name}: in order")?;
     }
     for fine in &report.in_order {
-        writeln!(out, "  {}: {}", fine.title(), fine.detail())?;
+        writeln!(out, "  {}: {}", fine.title_in(maze.kind), fine.detail())?;
     }
     Ok(if report.findings.is_empty() { Status::Good } else { Status::Bad })
 }

@@ -5,9 +5,11 @@ use std::io::Write;
 use line_maze_lab::event::Outcome;
 use line_maze_lab::ink::Ink;
 use line_maze_lab::maze::Maze;
+use line_maze_lab::playback::Timeline as _;
+use line_maze_lab::recording::Cursor;
 use line_maze_lab::report::{NODE_BYTES, Report, StopReport};
-use line_maze_lab::settings::{MAX_CELL_MS, Settings};
-use line_maze_lab::trace::Trace;
+use line_maze_lab::run::AnyRun;
+use line_maze_lab::settings::Settings;
 use serde::Serialize;
 
 use crate::args::Explore;
@@ -15,59 +17,71 @@ use crate::{Failure, Status, files};
 
 /// `linemaze run`
 pub(crate) fn run(args: &Explore, out: &mut impl Write) -> Result<Status, Failure> {
-    let (maze, settings, trace) = explored(args)?;
-    let report = Report::of(&maze, &settings, &trace);
+    let (maze, settings, run) = explored(args)?;
+    let report = Report::of_run(&maze, &settings, &run);
     if args.json {
         write_json(&report, out)?;
     } else {
-        tell(&maze, &trace, &report, out)?;
+        tell(&maze, &run, &report, out)?;
     }
-    Ok(status(&trace))
+    Ok(status(&run))
 }
 
 /// `linemaze trace`
 pub(crate) fn trace(args: &Explore, out: &mut impl Write) -> Result<Status, Failure> {
-    let (maze, settings, trace) = explored(args)?;
-    let ink = Ink::of(&maze, &trace, settings.pace.cell_ms(maze.scale));
+    let (maze, settings, run) = explored(args)?;
     if !args.json {
         let heads =
             ["stop", "at", "seen", "case", "node", "leaves", "ptr", "returning", "cur_x", "cur_y", "crossed"];
         write_row(heads.map(str::to_owned), out)?;
     }
-    for stop in (1..=trace.stops()).filter_map(|stop| StopReport::of(&trace, &ink, stop)) {
-        if args.json {
-            write_json(&stop, out)?;
-        } else {
-            write_row(cells(&stop), out)?;
+    match &run {
+        AnyRun::Book(book) => {
+            let ink = Ink::of(&maze, book.trace(), settings.pace.cell_ms(maze.scale));
+            for stop in (1..=run.stops()).filter_map(|stop| StopReport::of(book.trace(), &ink, stop)) {
+                write_stop(args, &stop, out)?;
+            }
+        }
+        AnyRun::Other(recording) => {
+            let mut cursor = Cursor::default();
+            for stop in 0..=run.stops() {
+                write_stop(args, &StopReport::of_recording(recording, &mut cursor, stop), out)?;
+            }
         }
     }
     if !args.json {
-        writeln!(out, "{}", trace.outcome())?;
+        writeln!(out, "{}", run.outcome())?;
     }
-    Ok(status(&trace))
+    Ok(status(&run))
 }
 
-fn explored(args: &Explore) -> Result<(Maze, Settings, Trace), Failure> {
+fn write_stop(args: &Explore, stop: &StopReport, out: &mut impl Write) -> Result<(), Failure> {
+    if args.json { write_json(stop, out) } else { write_row(cells(stop), out) }
+}
+
+fn explored(args: &Explore) -> Result<(Maze, Settings, AnyRun), Failure> {
     let maze = files::read(&args.maze)?;
-    let settings = args.settings();
-    let (cell_mm, speed) = (maze.scale.cell_mm(), settings.pace.speed_mm_s);
-    let most = f64::from(MAX_CELL_MS) / 1000.0;
-    if cell_mm / speed > most {
-        return Err(Failure::Message(format!(
-            "--speed {speed}: a cell of {cell_mm} mm would take longer than {most} s; choose {} or more",
-            cell_mm / most
-        )));
-    }
+    let settings = checked(&maze, args.settings.settings())?;
     let name = files::name(&args.maze);
-    let trace = line_maze_lab::run::explore(&maze, &settings)
+    let run = line_maze_lab::run::record(&maze, &settings, args.explorer)
         .map_err(|error| Failure::Message(format!("{name}: {error}")))?;
-    Ok((maze, settings, trace))
+    Ok((maze, settings, run))
 }
 
-const fn status(trace: &Trace) -> Status {
-    match trace.outcome() {
-        Outcome::Finish => Status::Good,
+/// The settings, if a robot can have them in this maze.
+pub(crate) fn checked(maze: &Maze, settings: Settings) -> Result<Settings, Failure> {
+    let pace = settings.pace.checked(maze.scale);
+    pace.map_err(|error| Failure::Message(format!("--speed {}: {error}", settings.pace.speed_mm_s)))?;
+    Ok(settings)
+}
+
+const fn status(run: &AnyRun) -> Status {
+    match run.outcome() {
+        Outcome::Finish | Outcome::Mapped => Status::Good,
         Outcome::NoFinishReachable
+        | Outcome::Circling { .. }
+        | Outcome::Stuck
+        | Outcome::PathFull { .. }
         | Outcome::TableFull { .. }
         | Outcome::NoLine { .. }
         | Outcome::TooManyStops { .. } => Status::Bad,
@@ -75,19 +89,19 @@ const fn status(trace: &Trace) -> Status {
 }
 
 /// One line of JSON.
-fn write_json(report: &impl Serialize, out: &mut impl Write) -> Result<(), Failure> {
+pub(crate) fn write_json(report: &impl Serialize, out: &mut impl Write) -> Result<(), Failure> {
     let json = serde_json::to_string(report).map_err(|error| Failure::Message(error.to_string()))?;
     writeln!(out, "{json}")?;
     Ok(())
 }
 
 /// The report for people.
-fn tell(maze: &Maze, trace: &Trace, report: &Report, out: &mut impl Write) -> Result<(), Failure> {
+fn tell(maze: &Maze, run: &AnyRun, report: &Report, out: &mut impl Write) -> Result<(), Failure> {
     if !maze.about.title.is_empty() {
         writeln!(out, "{}", maze.about.title)?;
     }
-    writeln!(out, "outcome      {}", trace.outcome())?;
-    let Report { stops, decisions, distance_cells, distance_mm, seconds, ptr, .. } = report;
+    writeln!(out, "outcome      {}", run.outcome())?;
+    let Report { stops, decisions, distance_cells, distance_mm, seconds, .. } = report;
     writeln!(out, "exploration  {distance_cells} cells ({distance_mm} mm) in {seconds:.1} s")?;
     writeln!(out, "             {stops} stops, {decisions} of them at nodes")?;
     let Report { right_turns, left_turns, u_turns, memory_bytes, .. } = report;
@@ -95,15 +109,20 @@ fn tell(maze: &Maze, trace: &Trace, report: &Report, out: &mut impl Write) -> Re
         out,
         "             {right_turns} turns to the right, {left_turns} to the left, {u_turns} U-turns"
     )?;
-    writeln!(
-        out,
-        "memory       {memory_bytes} bytes: {} nodes at once; ptr = {ptr} at the end",
-        memory_bytes / NODE_BYTES
-    )?;
+    match report.ptr {
+        Some(ptr) => {
+            let nodes = memory_bytes / NODE_BYTES;
+            writeln!(
+                out,
+                "memory       {memory_bytes} bytes: {nodes} nodes at once; ptr = {ptr} at the end"
+            )?;
+        }
+        None => writeln!(out, "memory       {memory_bytes} bytes: {}", run.name().about().bytes)?,
+    }
     if let (Some(cells), Some(seconds)) = (report.route_cells, report.route_s) {
         let turns = shown(report.turns.as_deref().unwrap_or_default());
         writeln!(out, "route        {cells} cells in {seconds:.1} s: {turns}")?;
-    } else if let Some(reason) = report.reason.as_ref().filter(|_| trace.outcome() == Outcome::Finish) {
+    } else if let Some(reason) = report.reason.as_ref().filter(|_| status(run) == Status::Good) {
         writeln!(out, "route        none: {reason}")?;
     }
     let bests = [
@@ -132,19 +151,21 @@ fn shown(turns: &str) -> String {
 
 /// A stop in words, a column each.
 fn cells(stop: &StopReport) -> [String; 11] {
-    let or_dash = |text: Option<String>| text.unwrap_or_else(|| "-".to_owned());
+    fn or_dash<T: ToString>(value: Option<T>) -> String {
+        value.map_or_else(|| "-".to_owned(), |value| value.to_string())
+    }
     [
         stop.stop.to_string(),
         format!("{},{}", stop.at[0], stop.at[1]),
         stop.seen.to_owned(),
-        or_dash(stop.case.map(str::to_owned)),
-        or_dash(stop.node.map(|node| node.to_string())),
-        or_dash(stop.leaves.map(|way| way.to_string())),
-        stop.ptr.to_string(),
-        stop.returning.to_string(),
+        or_dash(stop.case),
+        or_dash(stop.node),
+        or_dash(stop.leaves),
+        or_dash(stop.ptr),
+        or_dash(stop.returning),
         stop.cur_x.to_string(),
         stop.cur_y.to_string(),
-        stop.crossed_cells.to_string(),
+        or_dash(stop.crossed_cells),
     ]
 }
 

@@ -4,12 +4,13 @@ use std::fs::{self, File};
 use std::io::{self, Read, Write};
 use std::path::Path;
 
-use line_maze_lab::maze::file::{self, ReadError};
-use line_maze_lab::maze::generate::{self, Recipe};
+use line_maze_lab::maze::file::{self, Format, ReadError};
+use line_maze_lab::maze::generate;
 use line_maze_lab::maze::json::{self, JsonError};
-use line_maze_lab::maze::{Kind, Maze, svg, text};
+use line_maze_lab::maze::micromouse::Spot;
+use line_maze_lab::maze::{Maze, text};
 
-use crate::args::{Drawn, Generate};
+use crate::args::Generate;
 use crate::locate::{self, Place};
 use crate::{Failure, Status};
 
@@ -53,6 +54,14 @@ fn placed(bytes: &[u8], error: &ReadError) -> (Place, String) {
             let text = String::from_utf8_lossy(bytes);
             (locate::value(&text, path), error.to_string())
         }
+        // A byte's place is in the message: a binary file has no lines.
+        ReadError::Micromouse(error) => match error.spot {
+            Spot::Text(place) => {
+                let place = Place { line: place.line as usize, column: place.column as usize };
+                (place, error.problem.to_string())
+            }
+            Spot::Byte(_) | Spot::File => (Place::START, error.to_string()),
+        },
         ReadError::NotText { at } => {
             (Place::after(&String::from_utf8_lossy(&bytes[..*at])), error.to_string())
         }
@@ -62,40 +71,29 @@ fn placed(bytes: &[u8], error: &ReadError) -> (Place, String) {
 
 /// `linemaze generate`
 pub(crate) fn generate(args: &Generate, out: &mut impl Write) -> Result<Status, Failure> {
-    let recipe = Recipe {
-        width: args.size.width,
-        height: args.size.height,
-        loops_percent: args.loops,
-        dead_ends_cut_percent: args.dead_ends,
-        seed: args.seed,
-        kind: match args.kind {
-            Drawn::Line => Kind::Line,
-            Drawn::Wall => Kind::Wall,
-        },
-    };
-    let maze = generate::generate(&recipe).map_err(|error| Failure::Message(error.to_string()))?;
+    let maze = generate::generate(&args.recipe()).map_err(|error| Failure::Message(error.to_string()))?;
     out.write_all(text::write(&maze).as_bytes())?;
     Ok(Status::Good)
 }
 
 /// `linemaze convert`
 pub(crate) fn convert(from: &Path, to: &Path) -> Result<Status, Failure> {
-    let write = writer(to)?;
+    let format = format(to)?;
     let maze = read(from)?;
-    fs::write(to, write(&maze)).map_err(|error| Failure::Message(format!("{}: {error}", to.display())))?;
+    let bytes = file::write(&maze, format)
+        .map_err(|error| Failure::Message(format!("{}: cannot become {}: {error}", name(from), name(to))))?;
+    fs::write(to, bytes).map_err(|error| Failure::Message(format!("{}: {error}", to.display())))?;
     Ok(Status::Good)
 }
 
-/// What writes a file of this extension.
-fn writer(to: &Path) -> Result<fn(&Maze) -> String, Failure> {
-    let extension = to.extension().map(|extension| extension.to_string_lossy().to_ascii_lowercase());
-    match extension.as_deref() {
-        Some("maze") => Ok(text::write),
-        Some("json") => Ok(json::write),
-        Some("svg") => Ok(svg::write),
-        _ => Err(Failure::Message(format!(
-            "{}: the extension chooses the format; it is .maze, .json or .svg",
+/// The format of this extension.
+fn format(to: &Path) -> Result<Format, Failure> {
+    let extension = to.extension().map(|extension| extension.to_string_lossy());
+    extension.as_deref().and_then(Format::of_extension).ok_or_else(|| {
+        Failure::Message(format!(
+            "{}: the extension chooses the format; it is .maze, .json or .svg, or for walls .txt, .map, .num or \
+             .maz",
             to.display()
-        ))),
-    }
+        ))
+    })
 }

@@ -1,10 +1,15 @@
-//! The command line: run, trace, check, generate and convert line mazes.
+//! The command line: run, trace, compare, check, generate and convert line mazes.
 
 mod args;
 mod check;
+mod compare;
 mod explore;
 mod files;
+mod league;
 mod locate;
+mod progress;
+mod table;
+mod turns;
 
 use std::io::{self, BufWriter, Write};
 use std::process::ExitCode;
@@ -58,6 +63,9 @@ fn obey(command: &Command, out: &mut impl Write) -> Result<Status, Failure> {
     match command {
         Command::Run(args) => explore::run(args, out),
         Command::Trace(args) => explore::trace(args, out),
+        Command::Turns(args) => turns::turns(args, out),
+        Command::Compare(args) => compare::compare(args, out),
+        Command::League(args) => league::league(args, out),
         Command::Check { maze } => check::check(maze, out),
         Command::Generate(args) => files::generate(args, out),
         Command::Convert { from, to } => files::convert(from, to),

@@ -10,8 +10,8 @@ use crate::maze::{About, Kind, Maze, Start};
 /// What was done to the maze, when `change` would take it back.
 pub(super) fn done(maze: &Maze, change: &Change) -> String {
     match change {
-        Change::Erased(cells) => draw(cells.len()),
-        Change::Drawn(cells) => erase(cells.len()),
+        Change::Erased(cells) => draw(maze.kind, cells.len()),
+        Change::Drawn(cells) => erase(maze.kind, cells.len()),
         Change::Start(before) => start(*before, maze.start()).to_string(),
         Change::Finish(before) => finish(before, maze.finish()).to_string(),
         Change::About(before) => about(before, &maze.about).to_string(),
@@ -24,8 +24,8 @@ pub(super) fn done(maze: &Maze, change: &Change) -> String {
 /// What `change` will do to the maze.
 pub(super) fn to_do(maze: &Maze, change: &Change) -> String {
     match change {
-        Change::Drawn(cells) => draw(cells.len()),
-        Change::Erased(cells) => erase(cells.len()),
+        Change::Drawn(cells) => draw(maze.kind, cells.len()),
+        Change::Erased(cells) => erase(maze.kind, cells.len()),
         Change::Start(after) => start(maze.start(), *after).to_string(),
         Change::Finish(after) => finish(maze.finish(), after).to_string(),
         Change::About(after) => about(&maze.about, after).to_string(),
@@ -37,12 +37,22 @@ pub(super) fn to_do(maze: &Maze, change: &Change) -> String {
 
 const SCALE: &str = "change the sizes";
 
-fn draw(cells: usize) -> String {
-    format!("draw {cells} cell{}", if cells == 1 { "" } else { "s" })
+fn draw(kind: Kind, cells: usize) -> String {
+    match kind {
+        Kind::Line => format!("draw {}", counted(cells, "cell")),
+        Kind::Wall => format!("open {}", counted(cells, "wall")),
+    }
 }
 
-fn erase(cells: usize) -> String {
-    format!("erase {cells} cell{}", if cells == 1 { "" } else { "s" })
+fn erase(kind: Kind, cells: usize) -> String {
+    match kind {
+        Kind::Line => format!("erase {}", counted(cells, "cell")),
+        Kind::Wall => format!("build {}", counted(cells, "wall")),
+    }
+}
+
+fn counted(count: usize, what: &str) -> String {
+    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
 }
 
 fn start(before: Option<Start>, after: Option<Start>) -> &'static str {

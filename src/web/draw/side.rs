@@ -102,9 +102,13 @@ fn verdict(run: &Run) -> AnyView {
                     "its node table is full: it can remember {capacity} nodes at once (settings of the run, O)"
                 )
             }
-            Outcome::NoFinishReachable | Outcome::NoLine { .. } | Outcome::TooManyStops { .. } => {
-                outcome.to_string()
-            }
+            Outcome::NoFinishReachable
+            | Outcome::Mapped
+            | Outcome::Circling { .. }
+            | Outcome::Stuck
+            | Outcome::PathFull { .. }
+            | Outcome::NoLine { .. }
+            | Outcome::TooManyStops { .. } => outcome.to_string(),
         };
         return view! { "Stops after " <b>{driven}</b> ": " {why} "." }.into_any();
     };

@@ -33,6 +33,10 @@ pub(super) fn lost(outcome: Outcome, step: Option<Step>) -> Narration {
             (said, short.text(": there is no line ").heading(heading).text("."))
         }
         Outcome::Finish
+        | Outcome::Mapped
+        | Outcome::Circling { .. }
+        | Outcome::Stuck
+        | Outcome::PathFull { .. }
         | Outcome::NoFinishReachable
         | Outcome::TableFull { .. }
         | Outcome::TooManyStops { .. } => {

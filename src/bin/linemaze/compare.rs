@@ -1,0 +1,115 @@
+//! `linemaze compare`: explorers side by side in one maze, and the luck in random orders.
+
+use std::io::Write;
+
+use indicatif::ParallelProgressIterator;
+use line_maze_lab::compare::orders::{Bar, Draws, draw};
+use line_maze_lab::compare::score::{Bests, Column, Score};
+use line_maze_lab::compare::{Entrant, Lineup, parting};
+use line_maze_lab::maze::Maze;
+use line_maze_lab::report::Report;
+use line_maze_lab::settings::Settings;
+use rayon::prelude::*;
+
+use crate::args::Compare;
+use crate::explore::{self, write_json};
+use crate::table::{self, number};
+use crate::{Failure, Status, files, progress};
+
+/// `linemaze compare`
+pub(crate) fn compare(args: &Compare, out: &mut impl Write) -> Result<Status, Failure> {
+    let maze = files::read(&args.maze)?;
+    let settings = explore::checked(&maze, args.settings.settings())?;
+    let name = files::name(&args.maze);
+    if let Some(draws) = args.random_orders {
+        return random_orders(&maze, &settings, &name, draws, out);
+    }
+    let lineup = Lineup::new(args.explorers.clone()).map_err(|error| Failure::Message(error.to_string()))?;
+    let bests = Bests::of(&maze, &settings);
+    let run = |&explorer| Entrant::of(&maze, &settings, explorer, &bests).map_err(|why| (explorer, why));
+    let entrants: Result<Vec<Entrant>, _> = lineup.names().par_iter().map(run).collect();
+    let entrants =
+        entrants.map_err(|(explorer, why)| Failure::Message(format!("{name}: {explorer}: {why}")))?;
+    if args.json {
+        for entrant in &entrants {
+            write_json(&Report::of_run(&maze, &settings, &entrant.run), out)?;
+        }
+        return Ok(Status::Good);
+    }
+    let mut rows = vec![head()];
+    rows.extend(entrants.iter().map(|entrant| row(&entrant.score)));
+    table::print(&rows, Column::ALL.len() + 1, out)?;
+    for (what, best) in [("shortest", bests.shortest), ("fastest", bests.fastest)] {
+        if let Some(best) = best {
+            writeln!(out, "the {what} route: {} cells in {:.1} s", best.cells, best.seconds)?;
+        }
+    }
+    if let Some((first, others)) = entrants.split_first() {
+        for other in others {
+            match parting::first(&maze, &first.run, &other.run) {
+                Some(parting) => writeln!(out, "{}", parting.words())?,
+                None => writeln!(out, "{} and {} drive the same way.", first.score.name, other.score.name)?,
+            }
+        }
+    }
+    Ok(Status::Good)
+}
+
+fn head() -> Vec<String> {
+    let columns = Column::ALL.iter().map(|column| column.title().to_owned());
+    ["explorer".to_owned()].into_iter().chain(columns).chain(["outcome".to_owned()]).collect()
+}
+
+fn row(score: &Score) -> Vec<String> {
+    let columns = Column::ALL.iter().map(|&column| number(score.number(column), decimals(column)));
+    let end = match score.reason() {
+        Some(reason) => reason,
+        None => score.outcome.to_string(),
+    };
+    [score.name.to_string()].into_iter().chain(columns).chain([end]).collect()
+}
+
+/// Decimals that a column is shown with.
+pub(crate) const fn decimals(column: Column) -> usize {
+    match column {
+        Column::Distance | Column::Stops | Column::Turns | Column::Memory | Column::Route => 0,
+        Column::Seconds | Column::RouteSeconds => 1,
+        Column::RatioShortest | Column::RatioFastest => 2,
+    }
+}
+
+/// Many runs of the book's explorer, as a histogram of their routes' lengths.
+fn random_orders(
+    maze: &Maze,
+    settings: &Settings,
+    name: &str,
+    count: u64,
+    out: &mut impl Write,
+) -> Result<Status, Failure> {
+    let drawn = (1..=count).into_par_iter().progress_with(progress::bar(count));
+    let draws: Result<Vec<_>, _> = drawn.map(|seed| draw(maze, settings, seed)).collect();
+    let draws: Draws = draws.map_err(|why| Failure::Message(format!("{name}: {why}")))?.into_iter().collect();
+    let shortest = Bests::of(maze, settings).shortest.map(|best| best.cells);
+    let (solved, failed) = draws.counts();
+    let bars = draws.bars(shortest, 20);
+    let most = bars.iter().map(|bar| bar.count).max().unwrap_or(1).max(1);
+    for Bar { from, to, count } in bars {
+        let cells = if from == to { from.to_string() } else { format!("{from}–{to}") };
+        writeln!(out, "{cells:>11} cells  {count:>6}  {}", "#".repeat((count * 50).div_ceil(most)))?;
+    }
+    writeln!(out, "{solved} routes; {failed} runs left none")?;
+    if let Some(shortest) = shortest {
+        writeln!(
+            out,
+            "the shortest there is has {shortest} cells: {} runs found one",
+            draws.at_most(shortest)
+        )?;
+    }
+    for (what, draw) in [("best ", draws.best()), ("worst", draws.worst())] {
+        if let Some(draw) = draw {
+            let cells = draw.route_cells.unwrap_or_default();
+            writeln!(out, "{what}: {cells} cells, --order random:{}", draw.seed)?;
+        }
+    }
+    Ok(if solved > 0 { Status::Good } else { Status::Bad })
+}

@@ -1,0 +1,122 @@
+//! `linemaze league`: chosen explorers over many mazes, on all cores.
+
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use indicatif::ParallelProgressIterator;
+use line_maze_lab::compare::league::{
+    Course, CourseResult, League, Standing, results_csv, standings, standings_csv,
+};
+use line_maze_lab::compare::score::Column;
+use line_maze_lab::maze::generate;
+use rayon::prelude::*;
+
+use crate::compare::decimals;
+use crate::table::{self, number};
+use crate::{Failure, Status, args, files, progress};
+
+/// `linemaze league`
+pub(crate) fn league(args: &args::League, out: &mut impl Write) -> Result<Status, Failure> {
+    let (courses, unreadable) = courses(args)?;
+    if courses.is_empty() {
+        return Err(Failure::Message(
+            "no maze to run in; name files, or --samples, or --generate N".to_owned(),
+        ));
+    }
+    let settings = args.settings.settings();
+    for course in &courses {
+        let name = course.name();
+        let pace = settings.pace.checked(course.scale());
+        pace.map_err(|error| {
+            Failure::Message(format!("{name}: --speed {}: {error}", settings.pace.speed_mm_s))
+        })?;
+    }
+    let league = League { names: args.explorers(), settings, courses };
+    let count = league.courses.len();
+    let bar = progress::bar(count as u64);
+    let results: Vec<CourseResult> =
+        (0..count).into_par_iter().progress_with(bar).map(|course| league.run(course)).collect();
+    let standings = standings(&league.names, &results);
+    if let Some(path) = &args.csv {
+        write(path, &results_csv(&league, &results))?;
+    }
+    if let Some(path) = &args.standings_csv {
+        write(path, &standings_csv(&standings))?;
+    }
+    tell(&standings, count, out)?;
+    Ok(if unreadable == 0 { Status::Good } else { Status::Bad })
+}
+
+fn write(path: &Path, text: &str) -> Result<(), Failure> {
+    fs::write(path, text).map_err(|error| Failure::Message(format!("{}: {error}", path.display())))
+}
+
+/// All the mazes, and how many files could not be read; those are named on standard error.
+fn courses(args: &args::League) -> Result<(Vec<Course>, usize), Failure> {
+    let mut courses = Vec::new();
+    let mut unreadable = 0;
+    for path in files_in(&args.mazes)? {
+        match files::read(&path) {
+            Ok(maze) => courses.push(Course::File { name: files::name(&path), maze }),
+            Err(Failure::Message(message)) => {
+                unreadable += 1;
+                crate::complain(&message);
+            }
+            Err(other) => return Err(other),
+        }
+    }
+    if args.samples || args.mazes.is_empty() && args.generate.is_none() {
+        courses.extend(Course::samples());
+    }
+    if let Some(count) = args.generate {
+        let recipe = args.recipe.recipe();
+        // What is wrong with one is wrong with all.
+        generate::generate(&recipe).map_err(|error| Failure::Message(error.to_string()))?;
+        courses.extend(Course::generated(recipe, count));
+    }
+    Ok((courses, unreadable))
+}
+
+/// The files that are named, and those in the folders that are, by name.
+fn files_in(paths: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {
+    let failed = |path: &Path, error| Failure::Message(format!("{}: {error}", path.display()));
+    let mut found = Vec::new();
+    for path in paths {
+        if path.is_dir() {
+            let entries = fs::read_dir(path).map_err(|error| failed(path, error))?;
+            let mut inside = Vec::new();
+            for entry in entries {
+                let file = entry.map_err(|error| failed(path, error))?.path();
+                if file.is_file() {
+                    inside.push(file);
+                }
+            }
+            inside.sort();
+            found.extend(inside);
+        } else {
+            found.push(path.clone());
+        }
+    }
+    Ok(found)
+}
+
+/// The standings: how many courses were solved, and medians.
+fn tell(standings: &[Standing], count: usize, out: &mut impl Write) -> Result<(), Failure> {
+    let heads = ["explorer", "runs", "solved", "%"].map(str::to_owned);
+    let mut rows: Vec<Vec<String>> =
+        vec![heads.into_iter().chain(Column::ALL.map(|column| column.title().to_owned())).collect()];
+    for standing in standings {
+        let median = |column| {
+            let quartiles = standing.quartiles(column);
+            number(quartiles.map(|quartiles| quartiles.median), decimals(column))
+        };
+        let share = number(standing.share_solved().map(|share| share * 100.0), 0);
+        let start =
+            [standing.name.to_string(), standing.runs.to_string(), standing.solved.to_string(), share];
+        rows.push(start.into_iter().chain(Column::ALL.map(median)).collect());
+    }
+    writeln!(out, "{count} mazes; medians")?;
+    table::print(&rows, usize::MAX, out)?;
+    Ok(())
+}

@@ -1,0 +1,107 @@
+//! Runs abreast: where each robot is after the same distance, or at the same time by the cost model. A place is
+//! found by binary search, so any moment of the longest run costs the same.
+
+use super::Path;
+use crate::geometry::{Heading, Turn};
+use crate::maze::Maze;
+use crate::playback::Timeline;
+use crate::run::AnyRun;
+use crate::scene::Pose;
+use crate::settings::Pace;
+
+/// What runs are held equal by.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Clock {
+    /// Cells driven.
+    Cells(f64),
+    /// Seconds since the start.
+    Seconds(f64),
+}
+
+/// Where a robot is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Position {
+    /// The last stop that it came to.
+    pub stop: u32,
+    /// How much of the way to the next one it has driven, 0 to 1; 0 at the end.
+    pub along: f64,
+    /// On the floor.
+    pub pose: Pose,
+}
+
+/// Where a robot is at a moment; at its end when that is past.
+///
+/// ```
+/// use line_maze_lab::compare::abreast::{Clock, at};
+/// use line_maze_lab::explorer::name::Name;
+/// use line_maze_lab::{maze::samples, run::record, settings::Settings};
+/// let (maze, settings) = (samples::figure_3_1(), Settings::default());
+/// let run = record(&maze, &settings, Name::RightHand)?;
+/// let here = at(&maze, &run, &settings.pace, Clock::Cells(2.5)).unwrap();
+/// assert_eq!((here.stop, here.along), (1, 0.75));
+/// assert_eq!((here.pose.x, here.pose.y), (1.5, 1.0));
+/// # Ok::<(), line_maze_lab::world::CannotStart>(())
+/// ```
+#[must_use]
+pub fn at(maze: &Maze, run: &AnyRun, pace: &Pace, clock: Clock) -> Option<Position> {
+    let path = Path { run, start: maze.start()? };
+    let cell_mm = maze.scale.cell_mm();
+    Some(match clock {
+        Clock::Cells(cells) => {
+            // Up to where more than that is driven.
+            let stop = last(run, |tally| f64::from(tally.cells) <= cells);
+            let from = f64::from(run.tally(stop).cells);
+            let leg = f64::from(run.tally(stop + 1).cells) - from;
+            path.position(stop, 1.0, if leg > 0.0 { (cells - from) / leg } else { 0.0 })
+        }
+        Clock::Seconds(seconds) => {
+            let stop = last(run, |tally| tally.seconds(cell_mm, pace) <= seconds);
+            let passed = seconds - run.tally(stop).seconds(cell_mm, pace);
+            let turn = path.heading(stop).turn_to(path.heading((stop + 1).min(run.stops())));
+            let turning = pace.seconds(turn);
+            let leg = f64::from(run.tally(stop + 1).cells - run.tally(stop).cells);
+            let driving = leg * cell_mm / pace.speed_mm_s;
+            let turned = if turning > 0.0 { (passed / turning).min(1.0) } else { 1.0 };
+            let along = if driving > 0.0 { (passed - turning) / driving } else { 0.0 };
+            path.position(stop, turned, along)
+        }
+    })
+}
+
+/// The most that the clock can show: cells or seconds of the whole run.
+#[must_use]
+pub fn total(maze: &Maze, run: &AnyRun, pace: &Pace) -> (f64, f64) {
+    let tally = run.tally(run.stops());
+    (f64::from(tally.cells), tally.seconds(maze.scale.cell_mm(), pace))
+}
+
+/// The last stop for which this holds, which holds up to some stop and then no more.
+fn last(run: &AnyRun, holds: impl Fn(crate::route::tally::Tally) -> bool) -> u32 {
+    let beyond = run.first(|tally| !holds(tally));
+    if holds(run.tally(beyond)) { beyond } else { beyond.saturating_sub(1) }
+}
+
+impl Path<'_> {
+    /// After a stop, with so much of its turn and then of its drive done.
+    fn position(self, stop: u32, turned: f64, along: f64) -> Position {
+        let over = stop >= self.stops();
+        let along = if over { 0.0 } else { along.clamp(0.0, 1.0) };
+        let (from, arrived) = (self.place(stop), self.heading(stop));
+        let (to, leaves) =
+            if over { (from, arrived) } else { (self.place(stop + 1), self.heading(stop + 1)) };
+        let between = |a: i32, b: i32| f64::from(a) + f64::from(b - a) * along;
+        let degrees = degrees(arrived, arrived.turn_to(leaves), turned);
+        Position { stop, along, pose: Pose { x: between(from.x, to.x), y: between(from.y, to.y), degrees } }
+    }
+}
+
+/// Degrees clockwise from north with so much of a turn done; may leave 0 to 360 while turning.
+fn degrees(arrived: Heading, turn: Turn, turned: f64) -> f64 {
+    let quarters = match turn {
+        Turn::Straight => 0.0,
+        Turn::Right => 1.0,
+        Turn::Back => 2.0,
+        Turn::Left => -1.0,
+    };
+    (f64::from(arrived.index()) + quarters * turned) * 90.0
+}

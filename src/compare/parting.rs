@@ -1,0 +1,133 @@
+//! Where two runs part for the first time: the last place that both came to in the same way, compared cell by
+//! cell, as one robot may stop where the other drives on.
+
+use alloc::format;
+use alloc::string::String;
+
+use super::Path;
+use crate::explorer::name::Name;
+use crate::geometry::{Heading, Point};
+use crate::maze::{Maze, Start};
+use crate::run::AnyRun;
+
+/// Where two runs part.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Parting {
+    /// The last common place.
+    pub at: Point,
+    /// Cells that both have driven up to there.
+    pub cells: u32,
+    /// What each does there.
+    pub sides: [Side; 2],
+}
+
+/// What one of two runs does where they part.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Side {
+    /// Who drives.
+    pub name: Name,
+    /// Its last stop up to there: the one to open in the stepper.
+    pub stop: u32,
+    /// Where it goes on to; none where its run is over.
+    pub leaves: Option<Heading>,
+}
+
+/// The first parting of two runs in the same maze; none where they drive the same way to the end.
+///
+/// ```
+/// use line_maze_lab::compare::parting;
+/// use line_maze_lab::explorer::name::Name;
+/// use line_maze_lab::{maze::samples, run::record, settings::Settings};
+/// let (maze, settings) = (samples::figure_3_1(), Settings::default());
+/// let left = record(&maze, &settings, Name::LeftHand)?;
+/// let right = record(&maze, &settings, Name::RightHand)?;
+/// let parting = parting::first(&maze, &left, &right).unwrap();
+/// assert_eq!(parting.words(), "At 0,1 (stop 1) left-hand goes north and right-hand (stop 1) goes east.");
+/// # Ok::<(), line_maze_lab::world::CannotStart>(())
+/// ```
+#[must_use]
+pub fn first(maze: &Maze, a: &AnyRun, b: &AnyRun) -> Option<Parting> {
+    let start = maze.start()?;
+    let mut walks = [Walk::new(a, start), Walk::new(b, start)];
+    let mut cells = 0;
+    loop {
+        let [a, b] = walks.each_mut();
+        let (ways, at) = ([a.leaves(), b.leaves()], a.at);
+        match ways {
+            [None, None] => return None,
+            [Some(one), Some(other)] if one == other => {
+                let both = a.left.min(b.left);
+                a.drive(both);
+                b.drive(both);
+                cells += both;
+            }
+            [one, other] => {
+                return Some(Parting { at, cells, sides: [a.side(one), b.side(other)] });
+            }
+        }
+    }
+}
+
+/// One run, driven cell by cell.
+struct Walk<'r> {
+    path: Path<'r>,
+    /// The last stop that was reached.
+    stop: u32,
+    at: Point,
+    heading: Heading,
+    /// Cells to the next stop.
+    left: u32,
+}
+
+impl<'r> Walk<'r> {
+    const fn new(run: &'r AnyRun, start: Start) -> Self {
+        Self { path: Path { run, start }, stop: 0, at: start.at, heading: start.heading, left: 0 }
+    }
+
+    /// The heading that it goes on with; none at the end.
+    fn leaves(&mut self) -> Option<Heading> {
+        if self.left == 0 {
+            if self.stop >= self.path.stops() {
+                return None;
+            }
+            let next = self.path.place(self.stop + 1);
+            self.left = self.at.distance(next);
+            self.heading = self.path.heading(self.stop + 1);
+        }
+        Some(self.heading)
+    }
+
+    const fn drive(&mut self, cells: u32) {
+        self.at = self.at.ahead(self.heading, cells.cast_signed());
+        self.left -= cells;
+        if self.left == 0 {
+            self.stop += 1;
+        }
+    }
+
+    fn side(&self, leaves: Option<Heading>) -> Side {
+        Side { name: self.path.run.name(), stop: self.stop, leaves }
+    }
+}
+
+impl Parting {
+    /// In a sentence.
+    #[must_use]
+    pub fn words(&self) -> String {
+        let does = |side: &Side| match side.leaves {
+            Some(heading) => format!("goes {}", heading.word()),
+            None => String::from("is at its end"),
+        };
+        let [a, b] = &self.sides;
+        format!(
+            "At {} (stop {}) {} {} and {} (stop {}) {}.",
+            self.at,
+            a.stop,
+            a.name,
+            does(a),
+            b.name,
+            b.stop,
+            does(b)
+        )
+    }
+}

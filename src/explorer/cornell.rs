@@ -1,0 +1,203 @@
+//! The three traversals of a Cornell team (*Milestone 3: maze traversing*, 2018): each drives from square to
+//! square; the second avoids visited squares, the third looks for the nearest unvisited one.
+//!
+//! | name | meaning |
+//! |---|---|
+//! | `maze[x][y]` | a byte a square: bit 4 visited, bits 3 to 0 walls N E S W |
+//! | `xpos`, `ypos` | the square: 0,0 is the north-west corner, x to the right, y downwards |
+//! | `orientation` | where the robot faces on the map |
+//! | route | ours, for the third: the squares to the one that was looked for |
+
+use alloc::string::{String, ToString};
+use alloc::vec::Vec;
+
+use super::mind::{Field, Plan, Robot};
+use super::squares::{Aim, ORDER, Squares, VISITED, wall};
+use super::tell::Said;
+use crate::event::{Decision, Finish, Home, Look, Outcome};
+use crate::geometry::{Heading, Point, Turn};
+
+listing! {
+    ACT     "every square:"
+    WRITE   "  maze[xpos][ypos] |= walls; visited = 1"
+    ONE     "  1: first open of: ahead, left, right; else turn round"
+    TWO     "  2, 3: first open, unvisited neighbour of: ahead, left, right, back"
+    REST    "  2: if there is none: first open of these"
+    FOLLOW  "  3: if there is a route: follow it"
+    SEARCH  "  3: else breadth first over visited squares to the first unvisited one"
+    DONE    "     if there is none: stop          # all is mapped"
+    ROUTE   "     route = the squares to it"
+}
+
+cases! {
+    START "start" Info Plain "The robot stands on {xy} and looks all round. It writes `{byte}`: visited, and its walls. It *{turn}*."
+    OPEN "first-open" Now Node "On {xy} the robot writes `{byte}`. Of ahead, left and right it takes the first without a wall: it *{turn}*, visited or not."
+    FRESH "unvisited" Now Node "On {xy} the robot writes `{byte}`. Of its open neighbours it takes the first that was never visited: it *{turn}*."
+    WORN "all-visited" Now Unknown "On {xy}, `{byte}`, every open neighbour was visited before. The robot takes the first open way all the same: it *{turn}*."
+    PLAN "search" Now Known "On {xy}, `{byte}`, every open neighbour was visited before. The nearest unvisited square is {target}, {left} squares away: the robot *{turn}*."
+    ROUTE "on-route" Info Plain "The robot follows its route over visited squares; {left} are left to {target}. It *{turn}*."
+    DONE "mapped" Go End "No square that can be reached is unvisited: the map is *complete*."
+}
+
+/// Which of the three.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Version {
+    /// Turn by turn.
+    One,
+    /// With priority on unvisited neighbours.
+    Two,
+    /// With that, and path planning.
+    Three,
+}
+
+/// A robot that maps squares.
+#[derive(Clone, Debug)]
+pub struct Cornell {
+    version: Version,
+    squares: Squares,
+    at: Point,
+    heading: Heading,
+    /// The headings that are left to drive, the next one last.
+    route: Vec<Heading>,
+    finishes: Vec<u32>,
+}
+
+impl Cornell {
+    /// A robot with an empty map.
+    #[must_use]
+    pub fn new(version: Version, field: Field) -> Self {
+        let (at, heading) = (field.start, field.heading);
+        let (squares, route, finishes) = (Squares::new(field), Vec::new(), Vec::new());
+        Self { version, squares, at, heading, route, finishes }
+    }
+
+    /// The map.
+    #[must_use]
+    pub const fn squares(&self) -> &Squares {
+        &self.squares
+    }
+
+    /// `xpos` and `ypos`.
+    #[must_use]
+    pub const fn position(&self) -> (i32, i32) {
+        self.downwards(self.at)
+    }
+
+    /// Where the robot faces on the map, after the stop's turn.
+    #[must_use]
+    pub const fn orientation(&self) -> Heading {
+        self.heading
+    }
+
+    /// The headings of the route that is followed, the next one last; empty where there is none.
+    #[must_use]
+    pub fn route(&self) -> &[Heading] {
+        &self.route
+    }
+
+    /// Where the route that is followed ends.
+    #[must_use]
+    pub fn target(&self) -> (i32, i32) {
+        let end = self.route.iter().rev().fold(self.at.step(self.heading), |at, &way| at.step(way));
+        self.downwards(end)
+    }
+
+    const fn downwards(&self, at: Point) -> (i32, i32) {
+        (at.x, self.squares.field().height as i32 - 1 - at.y)
+    }
+
+    fn choose(&mut self, look: Look, said: &mut Said) -> Option<Turn> {
+        if self.version == Version::One {
+            said.ran(line::ONE);
+            said.is(case::OPEN);
+            return Some(look.first_of(&ORDER));
+        }
+        if let Some(way) = self.route.pop() {
+            said.ran(line::FOLLOW);
+            said.is(case::ROUTE);
+            return Some(self.heading.turn_to(way));
+        }
+        said.ran(line::TWO);
+        let open = ORDER.iter().copied().filter(|&turn| look.sighting.sees(turn));
+        let fresh = |turn: &Turn| self.squares.byte(self.at.step(self.heading.turned(*turn))) & VISITED == 0;
+        if let Some(turn) = open.clone().find(fresh) {
+            said.is(case::FRESH);
+            return Some(turn);
+        }
+        if self.version == Version::Two {
+            said.ran(line::REST);
+            said.is(case::WORN);
+            return Some(look.first_of(&ORDER));
+        }
+        said.ran(line::SEARCH);
+        let Some(mut route) = self.squares.search(self.at, self.heading, Aim::Unvisited) else {
+            said.ran(line::DONE);
+            said.is(case::DONE);
+            return None;
+        };
+        said.ran(line::ROUTE);
+        said.is(case::PLAN);
+        route.reverse();
+        let way = route.pop()?;
+        self.route = route;
+        Some(self.heading.turn_to(way))
+    }
+}
+
+impl Robot for Cornell {
+    fn decide(&mut self, look: Look, said: &mut Said) -> Decision {
+        if look.home != Home::PutDown {
+            self.at = self.at.step(self.heading);
+        }
+        said.ran(line::WRITE);
+        let new = self.squares.byte(self.at) & VISITED == 0;
+        self.squares.write(self.at, look.sighting.ways.out_of_frame_of(self.heading));
+        if look.sighting.finish == Finish::Yes
+            && new
+            && let Some(place) = self.squares.place(self.at)
+        {
+            self.finishes.push(place as u32);
+        }
+        let Some(turn) = self.choose(look, said) else {
+            return Decision::End(Outcome::Mapped);
+        };
+        if look.home == Home::PutDown {
+            said.is(case::START);
+        }
+        self.heading = self.heading.turned(turn);
+        Decision::Go(turn)
+    }
+
+    fn fact(&self, key: &str, out: &mut String) {
+        let mut xy = |(x, y): (i32, i32)| {
+            out.push_str(&x.to_string());
+            out.push(',');
+            out.push_str(&y.to_string());
+        };
+        match key {
+            "xy" => xy(self.position()),
+            "target" => xy(self.target()),
+            "left" => out.push_str(&(self.route.len() + 1).to_string()),
+            _ => {
+                let byte = self.squares.byte(self.at);
+                out.push(if byte & VISITED == 0 { '0' } else { '1' });
+                out.push(' ');
+                for heading in Heading::ALL {
+                    out.push(if byte & wall(heading) == 0 { '0' } else { '1' });
+                }
+            }
+        }
+    }
+
+    fn peak_bytes(&self) -> u32 {
+        self.squares.bytes().len() as u32
+    }
+
+    fn host_bytes(&self) -> usize {
+        self.squares.bytes().len() + self.route.len()
+    }
+
+    fn plan(&self) -> Option<Plan> {
+        self.squares.plan(&self.finishes)
+    }
+}

@@ -1,0 +1,183 @@
+//! Hand on the wall (book §1.2), with path simplification: always the way nearest to one hand, and a list of
+//! letters from which every detour into a dead end is struck out.
+//!
+//! | name | meaning |
+//! |---|---|
+//! | `path` | the letters so far: `L`, `S`, `R` at nodes, `B` at dead ends; corners have none |
+//! | `n` | how many letters |
+//! | `xBy` | a way that led back: the three letters become one, their turns' sum modulo 360° |
+
+use alloc::string::{String, ToString};
+use alloc::vec::Vec;
+
+use super::mind::{Plan, Robot};
+use super::tell::{Said, letters};
+use crate::event::{Decision, Finish, Home, Look, Outcome};
+use crate::geometry::Turn;
+
+listing! {
+    ACT    "every stop:"
+    FINISH "  if finish:          stop          # path is the route"
+    DEAD   "  else if dead end:   turn round; add(B)"
+    CORNER "  else if corner:     turn the only way there is"
+    NODE   "  else:               first way of: hand, ahead, other hand, back; add(its letter)"
+    GAP    ""
+    ADD    "add(letter):"
+    PUSH   "  path[n] = letter; n = n + 1"
+    IF_XBY "  if n >= 3 and path[n - 2] == B:"
+    REDUCE "    x B y becomes one letter: the sum of its turns; n = n - 2"
+}
+
+cases! {
+    START "start" Info Plain "The robot stands at the start and looks all round. Its `path` is {n}: it *{turn}*."
+    CORNER "corner" Info Plain "There is only one way on, so there is nothing to decide: the robot *{turn}*. Corners add no letter."
+    NODE "node" Now Node "At a node the robot takes the way nearest to its {hand} hand: it *{turn}*, and adds that letter. Its `path` is {path}."
+    REDUCED "reduced" Now Known "At a node the robot takes the way nearest to its {hand} hand: it *{turn}*. The way behind led to nothing, so three letters `xBy` become their sum. Its `path` is {path}."
+    DEAD "dead-end" Now DeadEnd "The line ends: the robot *turns round* and adds the letter `B`. Its `path` is {path}."
+    FINISH "finish" Go End "The robot stands on the *finish*. Its `path` is the route: {path}."
+}
+
+/// Which hand stays on the wall.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Side {
+    /// Left, ahead, right, back.
+    Left,
+    /// Right, ahead, left, back.
+    Right,
+}
+
+impl Side {
+    /// The ways, first choice first.
+    #[must_use]
+    pub const fn order(self) -> [Turn; 4] {
+        match self {
+            Self::Left => [Turn::Left, Turn::Straight, Turn::Right, Turn::Back],
+            Self::Right => [Turn::Right, Turn::Straight, Turn::Left, Turn::Back],
+        }
+    }
+
+    /// The hand's name.
+    #[must_use]
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::Left => "left",
+            Self::Right => "right",
+        }
+    }
+}
+
+/// A robot with a hand on the wall.
+///
+/// ```
+/// use line_maze_lab::explorer::hand;
+/// use line_maze_lab::geometry::Turn::{Back, Left, Right, Straight};
+/// let mut path = vec![Left, Back];
+/// hand::add(&mut path, Straight);
+/// assert_eq!(path, [Right]);
+/// ```
+#[derive(Clone, Debug)]
+pub struct Hand {
+    side: Side,
+    path: Vec<Turn>,
+    peak: u32,
+}
+
+/// Whether a letter was only added, or three became one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Added {
+    /// One letter more.
+    One,
+    /// `xBy` became one letter: two fewer than after adding.
+    Reduced,
+}
+
+/// Adds a letter, and makes one of three where that closes an `xBy`.
+pub fn add(path: &mut Vec<Turn>, letter: Turn) -> Added {
+    path.push(letter);
+    let [.., x, Turn::Back, y] = path[..] else { return Added::One };
+    path.truncate(path.len() - 3);
+    path.push(Turn::from_index(x as u8 + Turn::Back as u8 + y as u8));
+    Added::Reduced
+}
+
+impl Hand {
+    /// A robot with this hand on the wall, and no letter yet.
+    #[must_use]
+    pub const fn new(side: Side) -> Self {
+        Self { side, path: Vec::new(), peak: 0 }
+    }
+
+    /// The letters so far.
+    #[must_use]
+    pub fn path(&self) -> &[Turn] {
+        &self.path
+    }
+
+    /// The hand on the wall.
+    #[must_use]
+    pub const fn side(&self) -> Side {
+        self.side
+    }
+
+    fn add(&mut self, letter: Turn, said: &mut Said) -> Added {
+        // Before three letters become one, all are in the array.
+        self.peak = self.peak.max(self.path.len() as u32 + 1);
+        said.all(&[line::PUSH, line::IF_XBY]);
+        let added = add(&mut self.path, letter);
+        if added == Added::Reduced {
+            said.ran(line::REDUCE);
+        }
+        added
+    }
+}
+
+impl Robot for Hand {
+    fn decide(&mut self, look: Look, said: &mut Said) -> Decision {
+        said.ran(line::FINISH);
+        if look.sighting.finish == Finish::Yes {
+            said.is(case::FINISH);
+            return Decision::End(Outcome::Finish);
+        }
+        said.ran(line::DEAD);
+        if look.is_dead_end() {
+            self.add(Turn::Back, said);
+            said.is(case::DEAD);
+            return Decision::Go(Turn::Back);
+        }
+        said.ran(line::CORNER);
+        if !look.is_choice() {
+            said.is(if look.home == Home::PutDown { case::START } else { case::CORNER });
+            return Decision::Go(look.only_turn());
+        }
+        said.ran(line::NODE);
+        let turn = look.first_of(&self.side.order());
+        let added = self.add(turn, said);
+        said.is(match added {
+            Added::One => case::NODE,
+            Added::Reduced => case::REDUCED,
+        });
+        Decision::Go(turn)
+    }
+
+    fn fact(&self, key: &str, out: &mut String) {
+        match key {
+            "hand" => out.push_str(self.side.word()),
+            "n" if self.path.is_empty() => out.push_str("empty"),
+            "n" => out.push_str(&self.path.len().to_string()),
+            _ if self.path.is_empty() => out.push_str("empty"),
+            _ => letters(&self.path, out),
+        }
+    }
+
+    fn peak_bytes(&self) -> u32 {
+        self.peak
+    }
+
+    fn host_bytes(&self) -> usize {
+        self.path.len()
+    }
+
+    fn plan(&self) -> Option<Plan> {
+        Some(Plan::Letters(self.path.clone()))
+    }
+}

@@ -1,0 +1,104 @@
+//! The nearest point that has an unexplored way, by distance driven over known points: Dijkstra's search from
+//! where the robot stands, which goes no further than it must.
+
+use alloc::collections::BinaryHeap;
+use alloc::vec::Vec;
+use core::cmp::Reverse;
+
+use super::{Mapping, NONE, PREFERENCE};
+use crate::geometry::Heading;
+
+/// What a search leaves behind; nothing of it is remembered, so a copy begins with none.
+#[derive(Debug, Default)]
+pub(super) struct Nearest {
+    distance: Vec<u64>,
+    /// The search that met a point last.
+    met: Vec<u32>,
+    /// The search that found a point on a shortest way to its target.
+    on_way: Vec<u32>,
+    heap: BinaryHeap<Reverse<(u64, u32)>>,
+    search: u32,
+}
+
+impl Clone for Nearest {
+    fn clone(&self) -> Self {
+        Self::default()
+    }
+}
+
+impl Nearest {
+    /// The target and the ways to it, the first one last. Of points equally near, it is the one recorded
+    /// first; of ways equally short, at each point the first of the paper's order.
+    pub(super) fn find(&mut self, map: &Mapping, from: u32) -> Option<(u32, Vec<Heading>)> {
+        if self.met.len() < map.points.len() {
+            // In doubling steps: this runs at every dead end.
+            let room = (2 * map.points.len()).max(64);
+            self.distance.resize(room, 0);
+            self.met.resize(room, 0);
+            self.on_way.resize(room, 0);
+        }
+        self.search += 1;
+        self.heap.clear();
+        self.meet(from, 0);
+        let target = self.settle(map)?;
+        self.mark(map, target);
+        let mut ways = Vec::new();
+        let mut at = from;
+        while at != target {
+            let way = PREFERENCE.into_iter().find(|&way| {
+                let next = map.points[at as usize].links[usize::from(way.index())];
+                next != NONE
+                    && self.on_way[next as usize] == self.search
+                    && self.distance[next as usize] == self.distance[at as usize] + map.length(at, next)
+            })?;
+            ways.push(way);
+            at = map.points[at as usize].links[usize::from(way.index())];
+        }
+        ways.reverse();
+        Some((target, ways))
+    }
+
+    fn meet(&mut self, point: u32, distance: u64) {
+        let place = point as usize;
+        if self.met[place] != self.search || distance < self.distance[place] {
+            self.met[place] = self.search;
+            self.distance[place] = distance;
+            self.heap.push(Reverse((distance, point)));
+        }
+    }
+
+    /// The heap gives equal distances in the order of their numbers, and lengths are above 0: the first
+    /// point with an unexplored way is the one.
+    fn settle(&mut self, map: &Mapping) -> Option<u32> {
+        while let Some(Reverse((distance, point))) = self.heap.pop() {
+            if distance > self.distance[point as usize] {
+                continue;
+            }
+            if !map.unexplored(point).is_empty() {
+                return Some(point);
+            }
+            for next in map.neighbours(point) {
+                self.meet(next, distance + map.length(point, next));
+            }
+        }
+        None
+    }
+
+    /// Marks all points on shortest ways to the target.
+    fn mark(&mut self, map: &Mapping, target: u32) {
+        let mut todo = alloc::vec![target];
+        self.on_way[target as usize] = self.search;
+        while let Some(point) = todo.pop() {
+            for before in map.neighbours(point) {
+                let place = before as usize;
+                if self.met[place] == self.search
+                    && self.on_way[place] != self.search
+                    && self.distance[place] + map.length(before, point) == self.distance[point as usize]
+                {
+                    self.on_way[place] = self.search;
+                    todo.push(before);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,190 @@
+//! Direction sums for “no-loop” and “short-loop” mazes (Sakib, Chowdhury, Ahamed and Imam Hasan, *Maze solving
+//! algorithm for line following robot*, 2014, §II): a number for each junction of the way, to which every way
+//! that is tried there adds its own.
+//!
+//! | name | meaning |
+//! |---|---|
+//! | `j` | the present junction's number; below 1 there is none left |
+//! | `a[j]` | the sum of the directions taken there, modulo 4 |
+//! | directions | 1 right, 2 front, 3 left, 0 down |
+
+use alloc::string::{String, ToString};
+use alloc::vec::Vec;
+
+use super::hand::Side;
+use super::mind::{Plan, Robot};
+use super::tell::{Said, tail};
+use crate::event::{Decision, Finish, Home, Look, Outcome};
+use crate::geometry::Turn;
+
+listing! {
+    INIT     "j = 0; a[] = 0"
+    ACT      "every stop:"
+    FINISH   "  if finish:                     stop      # a[1..j] is the route"
+    HOME     "  else if at the start, j <= 0:  stop      # nothing is left"
+    DEAD     "  else if dead end:              turn round; j = j - 1"
+    CORNER   "  else if corner:                turn the only way there is"
+    ELSE     "  else:"
+    NEXT     "    j = j + 1"
+    TAKE     "    take the first way of the order, Down last"
+    ADD      "    a[j] = (a[j] + direction) mod 4   # right 1, front 2, left 3, down 0"
+    IF_USED  "    if a[j] == 0:                     # it leaves by the way it first came"
+    CLEAR    "      j = j - 2                       # one to forget it, one for turning back"
+}
+
+cases! {
+    START "start" Info Plain "The robot stands at the start and looks all round. `j` is {j}: it *{turn}*."
+    CORNER "corner" Info Plain "There is only one way on, so there is nothing to decide: the robot *{turn}*."
+    JUNCTION "junction" Now Node "Junction `{j}`: of its order, {order}, the robot takes the first way there is and *{turn}*. That adds to `a[{j}]`, which is now {aj}. The array is {a}."
+    USED "used-up" Now Known "The robot leaves this junction by the way it first came: the sum is 0, so the junction is *used up* and forgotten. `j` is {j}."
+    DEAD "dead-end" Now DeadEnd "The line ends: the robot *turns round*. It will meet the last junction again, so `j` goes back to {j}."
+    NONE "no-finish" Bad End "The robot is back at the start, and `j` is {j}: it drove *every line*, and none led to a finish."
+    FINISH "finish" Go End "The robot stands on the *finish*. The array is the route, junction by junction: {a}."
+}
+
+/// A robot that sums directions.
+#[derive(Clone, Debug)]
+pub struct Sums {
+    side: Side,
+    j: i32,
+    /// `a[1]` is the first; places past `j` keep their sums, as the junction is met again.
+    a: Vec<u8>,
+    peak: u32,
+}
+
+impl Sums {
+    /// The order Left-Front-Right-Down or Right-Front-Left-Down, and an empty array.
+    #[must_use]
+    pub const fn new(side: Side) -> Self {
+        Self { side, j: 0, a: Vec::new(), peak: 0 }
+    }
+
+    /// The present junction's number.
+    #[must_use]
+    pub const fn j(&self) -> i32 {
+        self.j
+    }
+
+    /// The whole array, `a[1]` first; what is past `j` waits for its junction to be met again.
+    #[must_use]
+    pub fn a(&self) -> &[u8] {
+        &self.a
+    }
+
+    /// `a[1..=j]`: the way from the start to here.
+    #[must_use]
+    pub fn sums(&self) -> &[u8] {
+        &self.a[..usize::try_from(self.j).unwrap_or(0).min(self.a.len())]
+    }
+
+    /// The order.
+    #[must_use]
+    pub const fn side(&self) -> Side {
+        self.side
+    }
+
+    fn junction(&mut self, look: Look, said: &mut Said) -> Turn {
+        said.all(&[line::ELSE, line::NEXT, line::TAKE, line::ADD, line::IF_USED]);
+        // Below 1 there are no places; on the floor that cannot be.
+        self.j = (self.j + 1).max(1);
+        let place = self.j as usize - 1;
+        if self.a.len() <= place {
+            self.a.resize(place + 1, 0);
+        }
+        self.peak = self.peak.max(self.j as u32);
+        let turn = look.first_of(&self.side.order());
+        self.a[place] = (self.a[place] + code(turn)) % 4;
+        // The start is no junction that the robot came to: down is a way like the others there.
+        if self.a[place] == 0 && (look.home == Home::Away || self.j > 1) {
+            said.ran(line::CLEAR);
+            said.is(case::USED);
+            self.a.truncate(place);
+            self.j -= 2;
+        } else {
+            said.is(case::JUNCTION);
+            // Whatever was tried behind this junction belongs to another way of it.
+            self.a.truncate(place + 1);
+        }
+        turn
+    }
+}
+
+/// The paper's number of a direction.
+const fn code(turn: Turn) -> u8 {
+    match turn {
+        Turn::Right => 1,
+        Turn::Straight => 2,
+        Turn::Left => 3,
+        Turn::Back => 0,
+    }
+}
+
+/// The turn that a number of the array stands for.
+#[must_use]
+pub const fn turn(sum: u8) -> Turn {
+    match sum % 4 {
+        1 => Turn::Right,
+        2 => Turn::Straight,
+        3 => Turn::Left,
+        _ => Turn::Back,
+    }
+}
+
+impl Robot for Sums {
+    fn decide(&mut self, look: Look, said: &mut Said) -> Decision {
+        said.ran(line::FINISH);
+        if look.sighting.finish == Finish::Yes {
+            said.is(case::FINISH);
+            return Decision::End(Outcome::Finish);
+        }
+        said.ran(line::HOME);
+        if look.home == Home::Back && look.is_dead_end() && self.j <= 0 {
+            said.is(case::NONE);
+            return Decision::End(Outcome::NoFinishReachable);
+        }
+        said.ran(line::DEAD);
+        if look.is_dead_end() {
+            said.is(case::DEAD);
+            self.j -= 1;
+            return Decision::Go(Turn::Back);
+        }
+        said.ran(line::CORNER);
+        if !look.is_choice() {
+            said.is(if look.home == Home::PutDown { case::START } else { case::CORNER });
+            return Decision::Go(look.only_turn());
+        }
+        Decision::Go(self.junction(look, said))
+    }
+
+    fn fact(&self, key: &str, out: &mut String) {
+        match key {
+            "j" => out.push_str(&self.j.to_string()),
+            "aj" => out.push_str(&self.sums().last().copied().unwrap_or(0).to_string()),
+            "order" => out.push_str(match self.side {
+                Side::Left => "left, front, right, down",
+                Side::Right => "right, front, left, down",
+            }),
+            _ => {
+                out.push('[');
+                tail(self.sums(), out, |sum, out| out.push((b'0' + sum) as char));
+                out.push(']');
+            }
+        }
+    }
+
+    fn peak_bytes(&self) -> u32 {
+        self.peak
+    }
+
+    fn host_bytes(&self) -> usize {
+        self.a.len()
+    }
+
+    fn node(&self, look: Look) -> Option<u32> {
+        u32::try_from(self.j).ok().filter(|&j| j > 0).filter(|_| look.is_choice())
+    }
+
+    fn plan(&self) -> Option<Plan> {
+        Some(Plan::Letters(self.sums().iter().map(|&sum| turn(sum)).collect()))
+    }
+}

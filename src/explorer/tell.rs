@@ -1,0 +1,226 @@
+//! Words about a stop: each case of an explorer has one template, and the mind fills in its numbers.
+//!
+//! In a template, `*…*` is what matters, `` `…` `` a name of the source, and `{…}` a fact: `{turn}` and
+//! `{cells}` of the stop, all others of the mind after it.
+
+use alloc::borrow::Cow;
+use alloc::string::{String, ToString};
+use alloc::vec::Vec;
+
+use super::book::narrate::{Narration, Span, Tone};
+use super::mind::Robot;
+use crate::event::{Decision, Look, Outcome};
+use crate::geometry::Turn;
+use crate::playback::Mark;
+
+/// What a stop can be.
+#[derive(Clone, Copy, Debug)]
+pub struct Case {
+    /// The explorer's own word, as the trace report prints it.
+    pub name: &'static str,
+    /// The ground on which it is shown.
+    pub tone: Tone,
+    /// How the scrubber marks it.
+    pub mark: Mark,
+    /// The template of its sentences.
+    pub told: &'static str,
+}
+
+/// The most lines that are noted at a stop; what runs after that is not.
+pub const MAX_LINES: usize = 24;
+
+/// What a mind tells of a stop: the lines that ran, and which case it was.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Said {
+    lines: [u8; MAX_LINES],
+    count: u8,
+    case: u8,
+}
+
+impl Said {
+    /// The lines of the listing that ran, in order, from 0.
+    #[must_use]
+    pub fn lines(&self) -> &[u8] {
+        &self.lines[..usize::from(self.count)]
+    }
+
+    /// The case's place in the explorer's table.
+    #[must_use]
+    pub const fn case(&self) -> u8 {
+        self.case
+    }
+
+    /// This line ran.
+    pub(super) fn ran(&mut self, line: u8) {
+        if let Some(place) = self.lines.get_mut(usize::from(self.count)) {
+            *place = line;
+            self.count += 1;
+        }
+    }
+
+    /// These lines ran.
+    pub(super) fn all(&mut self, lines: &[u8]) {
+        for &line in lines {
+            self.ran(line);
+        }
+    }
+
+    /// It is this case; the last word counts.
+    pub(super) const fn is(&mut self, case: u8) {
+        self.case = case;
+    }
+}
+
+/// A stop, as its sentences need it.
+#[derive(Clone, Copy, Debug)]
+pub struct Told<'a> {
+    /// The case.
+    pub case: &'a Case,
+    /// What was seen.
+    pub look: Look,
+    /// What was decided.
+    pub decision: Decision,
+    /// Cells driven to get here.
+    pub cells: u32,
+    /// Where the source tells of it.
+    pub section: &'static str,
+}
+
+impl Told<'_> {
+    /// The sentences, with the facts of the mind after the stop.
+    #[must_use]
+    pub fn narrate(&self, mind: &dyn Robot) -> Narration {
+        let mut said = Vec::new();
+        let verdict = match self.decision {
+            Decision::End(outcome) => verdict(outcome),
+            Decision::Go(_) => None,
+        };
+        self.fill(self.case.told, mind, &mut said);
+        let (tone, short) = match &verdict {
+            Some(text) => {
+                said.push(Span::Text(" ".into()));
+                said.push(Span::Strong(text.clone().into()));
+                (Tone::Bad, alloc::vec![Span::Strong(text.clone().into())])
+            }
+            None => (self.case.tone, first_sentence(&said)),
+        };
+        Narration { case: self.case.name, tone, said, short, section: self.section }
+    }
+
+    fn fill(&self, template: &'static str, mind: &dyn Robot, said: &mut Vec<Span>) {
+        let mut rest = template;
+        while let Some(at) = rest.find(['*', '`', '{']) {
+            let (plain, marked) = rest.split_at(at);
+            if !plain.is_empty() {
+                said.push(Span::Text(Cow::Borrowed(plain)));
+            }
+            let close = match marked.as_bytes()[0] {
+                b'*' => '*',
+                b'`' => '`',
+                _ => '}',
+            };
+            // A test reads every template: nothing stays open.
+            let Some((inner, after)) = marked[1..].split_once(close) else { break };
+            said.push(match close {
+                '*' => Span::Strong(self.facts(inner, mind)),
+                '`' => Span::Code(self.facts(inner, mind)),
+                _ => Span::Text(self.fact(inner, mind)),
+            });
+            rest = after;
+        }
+        if !rest.is_empty() {
+            said.push(Span::Text(Cow::Borrowed(rest)));
+        }
+    }
+
+    /// A marked piece, which may hold facts.
+    fn facts(&self, piece: &'static str, mind: &dyn Robot) -> Cow<'static, str> {
+        if !piece.contains('{') {
+            return Cow::Borrowed(piece);
+        }
+        let mut text = String::new();
+        let mut rest = piece;
+        while let Some((plain, marked)) = rest.split_once('{') {
+            text.push_str(plain);
+            let Some((key, after)) = marked.split_once('}') else { break };
+            text.push_str(&self.fact(key, mind));
+            rest = after;
+        }
+        text.push_str(rest);
+        Cow::Owned(text)
+    }
+
+    fn fact(&self, key: &'static str, mind: &dyn Robot) -> Cow<'static, str> {
+        match key {
+            "turn" => Cow::Borrowed(match self.decision {
+                Decision::Go(turn) => act(turn),
+                Decision::End(_) => "stays",
+            }),
+            "cells" => Cow::Owned(self.cells.to_string()),
+            _ => {
+                let mut text = String::new();
+                mind.fact(key, &mut text);
+                Cow::Owned(text)
+            }
+        }
+    }
+}
+
+/// What the referee adds; the explorer's own ends have words of their own.
+fn verdict(outcome: Outcome) -> Option<String> {
+    match outcome {
+        Outcome::Finish | Outcome::NoFinishReachable | Outcome::PathFull { .. } => None,
+        Outcome::Mapped => Some("Every place that can be reached is mapped.".to_string()),
+        Outcome::Circling { first, again } => Some(alloc::format!(
+            "Stop {again} is stop {first} again, and nothing in its memory could make the robot decide otherwise: it circles for ever."
+        )),
+        Outcome::Stuck => Some("No way leaves the start: it is stuck.".to_string()),
+        Outcome::TableFull { .. } | Outcome::NoLine { .. } | Outcome::TooManyStops { .. } => {
+            Some(alloc::format!("The run ends here, {outcome}."))
+        }
+    }
+}
+
+/// What the robot does.
+pub(super) const fn act(turn: Turn) -> &'static str {
+    match turn {
+        Turn::Straight => "drives straight on",
+        Turn::Right => "turns right",
+        Turn::Back => "turns round",
+        Turn::Left => "turns left",
+    }
+}
+
+/// Up to and with the first full stop.
+fn first_sentence(said: &[Span]) -> Vec<Span> {
+    let mut short = Vec::new();
+    for span in said {
+        if let Span::Text(Cow::Borrowed(text)) = span
+            && let Some(end) = text.find(". ")
+        {
+            short.push(Span::Text(Cow::Borrowed(&text[..=end])));
+            return short;
+        }
+        short.push(span.clone());
+    }
+    short
+}
+
+/// Turns as letters, the last ones of a long list.
+pub(super) fn letters(turns: &[Turn], out: &mut String) {
+    tail(turns, out, |turn, out| out.push(turn.letter()));
+}
+
+/// The end of a list, with an ellipsis before it where it is long.
+pub(super) fn tail<T>(list: &[T], out: &mut String, mut write: impl FnMut(&T, &mut String)) {
+    const SHOWN: usize = 12;
+    if list.len() > SHOWN {
+        out.push_str("… ");
+    }
+    for (i, item) in list.iter().skip(list.len().saturating_sub(SHOWN)).enumerate() {
+        if i > 0 {
+            out.push(' ');
+        }
+        write(item, out);
+    }
+}
