@@ -70,7 +70,8 @@ const fn status(trace: &Trace) -> Status {
         Outcome::NoFinishReachable
         | Outcome::TableFull { .. }
         | Outcome::NoLine { .. }
-        | Outcome::TooManyStops { .. } => Status::Bad,
+        | Outcome::TooManyStops { .. }
+        | Outcome::Cut(_) => Status::Bad,
     }
 }
 

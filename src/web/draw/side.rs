@@ -102,7 +102,10 @@ fn verdict(run: &Run) -> AnyView {
                     "its node table is full: it can remember {capacity} nodes at once (settings of the run, O)"
                 )
             }
-            Outcome::NoFinishReachable | Outcome::NoLine { .. } | Outcome::TooManyStops { .. } => {
+            Outcome::NoFinishReachable
+            | Outcome::NoLine { .. }
+            | Outcome::TooManyStops { .. }
+            | Outcome::Cut(_) => {
                 outcome.to_string()
             }
         };

@@ -1,0 +1,17 @@
+//! The serial link between the page and a robot, as `PROTOCOL.md` tells it; nothing here moves a byte.
+//!
+//! Both ends are state machines driven by bytes and milliseconds. A board compiles [`frame`], [`request`],
+//! [`report`], [`tune`], [`keep`] and [`robot`]: these need no heap. The rest is the page's end.
+
+pub mod fields;
+pub mod frame;
+pub mod keep;
+pub mod report;
+pub mod request;
+pub mod robot;
+pub mod tune;
+
+pub use fields::{Letters, MAX_LETTERS, Tag};
+
+/// The version of the protocol that this is.
+pub const PROTOCOL: u16 = 1;
