@@ -3,9 +3,13 @@
 //! Both ends are state machines driven by bytes and milliseconds. A board compiles [`frame`], [`request`],
 //! [`report`], [`tune`], [`keep`] and [`robot`]: these need no heap. The rest is the page's end.
 
+pub mod demo;
 pub mod fields;
 pub mod frame;
 pub mod keep;
+pub mod live;
+pub mod monitor;
+pub mod plot;
 pub mod report;
 pub mod request;
 pub mod robot;
