@@ -5,14 +5,17 @@
 
 pub mod demo;
 pub mod fields;
+pub mod floor;
 pub mod frame;
 pub mod keep;
 pub mod live;
 pub mod monitor;
+pub mod page;
 pub mod plot;
 pub mod report;
 pub mod request;
 pub mod robot;
+pub mod session;
 pub mod tune;
 
 pub use fields::{Letters, MAX_LETTERS, Tag};

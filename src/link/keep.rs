@@ -88,8 +88,7 @@ impl<M: Memory> Keep<M> {
     /// Finds what is kept.
     #[must_use]
     pub fn open(memory: M) -> Self {
-        let mut keep =
-            Self { memory, tune: Slot::NONE, list: None, list_slot: Slot::NONE, upload: None };
+        let mut keep = Self { memory, tune: Slot::NONE, list: None, list_slot: Slot::NONE, upload: None };
         if let Some((slot, ())) = keep.newest(0, TUNE_SLOT, |keep, at, _| keep.tune_fits(at)) {
             keep.tune = slot;
         }

@@ -5,12 +5,12 @@
 //! what [`Robot::speak`] gives.
 
 use super::PROTOCOL;
+use super::Tag;
 use super::frame::{Decoder, Heard, Line, LineError};
 use super::keep::{Keep, Memory};
-use super::report::{Beat, Code, Ended, End, Ir, Ready, Report, Said};
+use super::report::{Beat, Code, End, Ended, Ir, Ready, Report, Said};
 use super::request::{Asked, Level, NotAsked, Request};
 use super::tune::Tune;
-use super::Tag;
 use crate::event::Sighting;
 use crate::explorer::book::Book;
 use crate::explorer::book::store::{FixedStore, NodeStore};

@@ -4,6 +4,7 @@ use super::super::fields::Tag;
 use super::super::keep::Memory;
 use super::super::report::{Chose, Code, End, Ended, Kind, Reached, Report};
 use super::super::request::Level;
+use super::super::tune::Name;
 use super::{Body, END_TIMES, Placed, Progress, Robot};
 use crate::event::{Decision, Outcome, Seen, Sighting};
 use crate::explorer::Explorer;
@@ -11,7 +12,6 @@ use crate::explorer::book::store::{FixedStore, NodeStore};
 use crate::explorer::book::{Book, Case, Event};
 use crate::geometry::{Heading, Turn};
 use crate::settings::Order;
-use super::super::tune::Name;
 
 /// What the robot is doing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

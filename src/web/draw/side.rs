@@ -105,9 +105,7 @@ fn verdict(run: &Run) -> AnyView {
             Outcome::NoFinishReachable
             | Outcome::NoLine { .. }
             | Outcome::TooManyStops { .. }
-            | Outcome::Cut(_) => {
-                outcome.to_string()
-            }
+            | Outcome::Cut(_) => outcome.to_string(),
         };
         return view! { "Stops after " <b>{driven}</b> ": " {why} "." }.into_any();
     };
