@@ -101,10 +101,11 @@ impl DemoRobot {
         };
     }
 
-    /// The robot is on at once, without a word: as one on a radio link that was switched on long ago.
+    /// The robot is on at once, without a word until it is spoken to: as one behind a Bluetooth module.
     pub fn wake(&mut self, now_ms: u64) {
         self.boot(now_ms);
         if let Power::On { robot, .. } = &mut self.power {
+            robot.hush();
             while robot.speak().is_some() {}
         }
     }

@@ -173,8 +173,8 @@ enum Attempt {
 /// let mut link = Link::new(0, 0);
 /// assert_eq!(link.command(Command::Use(Port::Serial(None)), 0), [Action::Open { baud: 115_200 }]);
 /// let said = link.port_event(PortEvent::Opened, 5);
-/// assert_eq!(said, [Action::Write(b"\nhi #0*AD\n".to_vec())]);
-/// link.bytes_in(b"ready 1 lab-1 uno 50 400*84\n", 9);
+/// assert_eq!(said, [Action::Write(b"\nhi #0*04\n".to_vec())]);
+/// link.bytes_in(b"ready 1 lab-1 uno 50 400*E0\n", 9);
 /// assert_eq!(link.state(), State::Ready);
 /// ```
 #[derive(Debug)]

@@ -5,5 +5,10 @@
 mod support;
 
 mod bench;
+mod cable;
+mod codec;
 mod connecting;
+mod faults;
 mod running;
+mod session;
+mod upload;

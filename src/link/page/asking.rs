@@ -134,6 +134,10 @@ impl Link {
             }
             Job::Watch(_) | Job::ReadNodes | Job::Get(_) | Job::Set(..) | Job::Stop | Job::Place => {}
         }
+        // What else waits would not be answered either: first of all, is anybody there?
+        if now_ms >= self.heard_ms + SILENCE_MS {
+            self.queue.push_front(Job::Hi);
+        }
         self.note(News::NoAnswer(job), now_ms);
     }
 
