@@ -3,6 +3,7 @@
 //! Both ends are state machines driven by bytes and milliseconds. A board compiles [`frame`], [`request`],
 //! [`report`], [`tune`], [`keep`] and [`robot`]: these need no heap. The rest is the page's end.
 
+pub mod check;
 pub mod demo;
 pub mod fields;
 pub mod floor;

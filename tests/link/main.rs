@@ -6,6 +6,7 @@ mod support;
 
 mod bench;
 mod cable;
+mod check;
 mod codec;
 mod connecting;
 mod faults;
