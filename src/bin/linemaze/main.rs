@@ -1,10 +1,14 @@
-//! The command line: run, trace, check, generate and convert line mazes.
+//! The command line: run, trace, check, generate and convert line mazes; be a robot, or check one.
 
 mod args;
 mod check;
 mod explore;
 mod files;
+mod link_check;
 mod locate;
+#[cfg(unix)]
+mod pty;
+mod robot;
 
 use std::io::{self, BufWriter, Write};
 use std::process::ExitCode;
@@ -61,6 +65,8 @@ fn obey(command: &Command, out: &mut impl Write) -> Result<Status, Failure> {
         Command::Check { maze } => check::check(maze, out),
         Command::Generate(args) => files::generate(args, out),
         Command::Convert { from, to } => files::convert(from, to),
+        Command::Robot(args) => robot::robot(args, out),
+        Command::LinkCheck(args) => link_check::link_check(args, out),
     }
 }
 

@@ -278,15 +278,12 @@ fn upload(talk: &mut Talk<'_>) -> Done {
     let id = fresh(&before);
     send(talk, id, LIST)?;
     same(talk, id, LIST)?;
-    if let Some((_, letters)) = before {
-        send(talk, id + 1, &letters)?;
-        same(talk, id + 1, &letters)?;
-    }
-    Ok(())
+    restore(talk, id, before)
 }
 
 fn again(talk: &mut Talk<'_>) -> Done {
-    let id = fresh(&read(talk)?);
+    let before = read(talk)?;
+    let id = fresh(&before);
     for _ in 0..2 {
         talk.must(Request::TurnsBegin(announce(id, LIST)))?;
     }
@@ -296,7 +293,15 @@ fn again(talk: &mut Talk<'_>) -> Done {
     for _ in 0..3 {
         talk.must(Request::TurnsCommit { id })?;
     }
-    same(talk, id, LIST)
+    same(talk, id, LIST)?;
+    restore(talk, id, before)
+}
+
+/// Puts back the list that was there, under another number.
+fn restore(talk: &mut Talk<'_>, id: u16, before: Option<(u16, String)>) -> Done {
+    let Some((_, letters)) = before else { return Ok(()) };
+    send(talk, id + 1, &letters)?;
+    same(talk, id + 1, &letters)
 }
 
 fn whole(talk: &mut Talk<'_>) -> Done {
