@@ -9,6 +9,7 @@ mod cable;
 mod check;
 mod codec;
 mod connecting;
+mod examples;
 mod faults;
 mod running;
 mod session;
