@@ -214,7 +214,9 @@ proptest! {
         bytes[at] ^= flip;
         // A line that has lost its LF is a part of the next one.
         bytes.extend(b"\n");
-        prop_assert_eq!(reported(&bytes), Vec::<String>::new(), "{:?}", String::from_utf8_lossy(&bytes));
+        // An LF that has become a CR is still an end of line: then nothing is lost.
+        let other = reported(&bytes).into_iter().find(|heard| *heard != format!("{report:?}"));
+        prop_assert_eq!(other, None, "{:?}", String::from_utf8_lossy(&bytes));
     }
 
     #[test]
@@ -225,7 +227,7 @@ proptest! {
         bytes[at] ^= flip;
         bytes.extend(b"\n");
         for (heard, harmless) in asked(&bytes) {
-            prop_assert!(harmless, "{} from {}", heard, String::from_utf8_lossy(&bytes));
+            prop_assert!(harmless || heard == format!("{written:?}"), "{} from {}", heard, String::from_utf8_lossy(&bytes));
         }
     }
 }
