@@ -195,6 +195,21 @@ pub enum Outcome {
         /// How many stops were allowed.
         limit: u32,
     },
+    /// A real robot's run, as far as it was told.
+    Cut(Cut),
+}
+
+/// Why a real robot's run is not known to its end.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Cut {
+    /// It still drives.
+    Driving,
+    /// Somebody stopped it.
+    Stopped,
+    /// The connection was lost, or the robot started anew.
+    ConnectionLost,
+    /// A line was lost on the way: what came after makes no sense without it.
+    Gap,
 }
 
 impl Outcome {
@@ -209,6 +224,10 @@ impl Outcome {
             Self::Stuck => "stuck",
             Self::TableFull { .. } | Self::PathFull { .. } => "table-full",
             Self::NoLine { .. } | Self::TooManyStops { .. } => "lost",
+            Self::Cut(Cut::Driving) => "driving",
+            Self::Cut(Cut::Stopped) => "stopped",
+            Self::Cut(Cut::ConnectionLost) => "connection-lost",
+            Self::Cut(Cut::Gap) => "gap",
         }
     }
 }
@@ -233,6 +252,12 @@ impl fmt::Display for Outcome {
                 write!(f, "lost at node {node}: there is no line {} ({})", heading.word(), heading.index())
             }
             Self::TooManyStops { limit } => write!(f, "lost: still driving after {limit} stops"),
+            Self::Cut(cut) => f.write_str(match cut {
+                Cut::Driving => "still driving",
+                Cut::Stopped => "stopped by hand",
+                Cut::ConnectionLost => "connection lost",
+                Cut::Gap => "a line of the robot was lost: the rest of its run is not known",
+            }),
         }
     }
 }

@@ -8,11 +8,19 @@ use alloc::vec::Vec;
 
 use crate::explorer::book::Case;
 use crate::geometry::{Heading, Point};
-use crate::maze::{Bounds, Maze};
+use crate::maze::{Bounds, MAX_SIDE, Maze};
 use crate::trace::Trace;
 
 /// A cell of line, named by its southern or western end and `North` or `East`.
 pub type Cell = (Point, Heading);
+
+/// Whole cells of a drive: a real robot takes a little more or less than a multiple of a cell's time. Never
+/// more than [`MAX_SIDE`], which leads off every maze.
+#[must_use]
+pub fn cells_driven(time_diff: u32, cell_ms: u32) -> u32 {
+    let cell_ms = u64::from(cell_ms.max(1));
+    ((u64::from(time_diff) + cell_ms / 2) / cell_ms).min(u64::from(MAX_SIDE)) as u32
+}
 
 /// Never.
 const NEVER: u32 = u32::MAX;
@@ -117,7 +125,7 @@ impl Ink {
         let mut returning = false;
         for (step, stop) in trace.steps().iter().zip(1u32..) {
             let heading = step.arrival().out_of_frame_of(north);
-            let cells = step.time_diff() / cell_ms.max(1);
+            let cells = cells_driven(step.time_diff(), cell_ms);
             painter.drive(at, heading, cells, stop, returning);
             at = at.ahead(heading, cells as i32);
             painter.ink.places.push(at);

@@ -18,6 +18,7 @@ pub mod geometry;
 pub mod gesture;
 mod grouped;
 pub mod ink;
+pub mod link;
 pub mod maze;
 pub mod playback;
 pub mod recording;

@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use crate::event::{Outcome, Seen};
 use crate::explorer::book::Case;
-use crate::ink::Ink;
+use crate::ink::{Ink, cells_driven};
 use crate::maze::Maze;
 use crate::playback::Timeline as _;
 use crate::recording::{Cursor, Recording};
@@ -270,7 +270,7 @@ impl StopReport {
 
 fn driven(trace: &Trace, cell_ms: u32) -> Tally {
     trace.steps().iter().fold(Tally::default(), |tally, step| {
-        let tally = tally.driven(step.time_diff() / cell_ms.max(1));
+        let tally = tally.driven(cells_driven(step.time_diff(), cell_ms));
         step.turn().map_or(tally, |turn| tally.turned(turn))
     })
 }

@@ -188,7 +188,7 @@ impl Timeline for Trace {
 }
 
 /// Writes a trace while a run goes on: it listens to the explorer's events and keeps what a step needs.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Recorder {
     pauses: Pauses,
     state: State,

@@ -48,6 +48,25 @@ fn an_explorer_cannot_see_the_maze() {
 }
 
 #[test]
+fn the_robots_end_of_the_link_needs_no_heap() {
+    let robot = |file: &PathBuf| {
+        let path = file.to_string_lossy().replace('\\', "/");
+        let own = ["fields", "frame", "keep", "report", "request", "robot", "tune"];
+        own.iter().any(|name| {
+            path.ends_with(&format!("src/link/{name}.rs")) || path.contains(&format!("src/link/{name}/"))
+        })
+    };
+    let mut files = files("src/link", ".rs");
+    files.retain(robot);
+    files.push(Path::new(env!("CARGO_MANIFEST_DIR")).join("src/explorer/book/store.rs"));
+    assert_eq!(files.len(), 13, "{files:?}");
+    let none: Vec<String> = Vec::new();
+    let heap =
+        ["alloc", "Vec<", "vec!", "String", "Box<", "format!", "crate::world", "crate::maze", "crate::run"];
+    assert_eq!(lines_with(&files, &heap), none);
+}
+
+#[test]
 fn the_core_knows_no_browser_and_no_command_line() {
     let mut core = files("src", ".rs");
     core.retain(|file| {

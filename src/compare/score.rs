@@ -217,7 +217,8 @@ pub fn solved(maze: &Maze, run: &AnyRun) -> Result<Route, NoRoute> {
             | Outcome::PathFull { .. }
             | Outcome::TableFull { .. }
             | Outcome::NoLine { .. }
-            | Outcome::TooManyStops { .. }),
+            | Outcome::TooManyStops { .. }
+            | Outcome::Cut(_)),
         ) => Err(NoRoute::Ended(other)),
     }
 }

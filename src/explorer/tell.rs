@@ -175,7 +175,10 @@ fn verdict(outcome: Outcome) -> Option<String> {
             "Stop {again} is stop {first} again, and nothing in its memory could make the robot decide otherwise: it circles for ever."
         )),
         Outcome::Stuck => Some("No way leaves the start: it is stuck.".to_string()),
-        Outcome::TableFull { .. } | Outcome::NoLine { .. } | Outcome::TooManyStops { .. } => {
+        Outcome::TableFull { .. }
+        | Outcome::NoLine { .. }
+        | Outcome::TooManyStops { .. }
+        | Outcome::Cut(_) => {
             Some(alloc::format!("The run ends here, {outcome}."))
         }
     }

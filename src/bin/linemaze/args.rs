@@ -29,6 +29,8 @@ Examples:
   linemaze convert mine.maze mine.svg                a picture in true size
   linemaze compare mine.maze --explorers book,mapping,flood-fill
   linemaze league --generate 500 --size 16x16        who solves most, and how well
+  linemaze robot --pty /tmp/robot --maze mine.maze   a robot without hardware, on a serial line
+  linemaze link-check --pty /dev/ttyACM0             whether a robot keeps the rules of PROTOCOL.md
 
 Exit status:
   0  the finish was reached, all is mapped, the maze is clean, the file is written
@@ -79,6 +81,17 @@ pub(crate) enum Command {
         #[arg(value_name = "OUT")]
         to: PathBuf,
     },
+    /// Be a robot that speaks the protocol of PROTOCOL.md, in an ideal world, until the end of input or a signal.
+    #[command(
+        after_help = "Whoever opens the pseudo-terminal resets the robot, as opening the port of an Uno does; it is ready a second later."
+    )]
+    Robot(Robot),
+    /// Play the page's end against any robot, and say of each rule of PROTOCOL.md whether it is kept.
+    #[command(
+        after_help = "Exit status: 0 every rule that was tried is kept, 1 a rule is broken, 2 the port cannot be opened.\n\
+        Settings and the turn list are changed and put back; a robot that had no list keeps one."
+    )]
+    LinkCheck(LinkCheck),
 }
 
 const RUN_STATUS: &str = "Exit status: 0 finish reached or all mapped, 1 any other outcome, 2 the input or the arguments make no sense.";
@@ -271,6 +284,46 @@ enum Search {
     #[default]
     Dijkstra,
     Astar,
+}
+
+/// What `robot` takes.
+#[derive(Args)]
+pub(crate) struct Robot {
+    /// Make a pseudo-terminal and a link to it at PATH (not on Windows)
+    #[arg(long, value_name = "PATH", required_unless_present = "stdio", conflicts_with = "stdio")]
+    pub(crate) pty: Option<PathBuf>,
+    /// Speak on standard input and output instead
+    #[arg(long)]
+    pub(crate) stdio: bool,
+    /// The maze that it stands in: a file of any readable format, or - for standard input
+    #[arg(long, value_name = "FILE")]
+    pub(crate) maze: PathBuf,
+    /// Lose, flip, double and delay bytes, reset, fall silent and flood, the same way for the same seed
+    #[arg(long, value_name = "SEED")]
+    pub(crate) faults: Option<u64>,
+    /// Speak at this rate; on a pseudo-terminal, rubbish comes over unless the other end has set it too
+    #[arg(long, value_name = "BITS_S", value_parser = clap::value_parser!(u32).range(300..=4_000_000))]
+    pub(crate) baud: Option<u32>,
+    /// As behind a Bluetooth module: opening does not reset it, and it is silent until it is spoken to
+    #[arg(long)]
+    pub(crate) quiet: bool,
+    /// Let its time run so many times faster
+    #[arg(long, value_name = "TIMES", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=100))]
+    pub(crate) hurry: u32,
+}
+
+/// What `link-check` takes.
+#[derive(Args)]
+pub(crate) struct LinkCheck {
+    /// The robot's port: /dev/ttyACM0, /dev/cu.usbmodem…, or the link that `linemaze robot --pty` made
+    #[arg(long, value_name = "PATH")]
+    pub(crate) pty: PathBuf,
+    /// The rate
+    #[arg(long, value_name = "BITS_S", default_value_t = 115_200, value_parser = clap::value_parser!(u32).range(300..=4_000_000))]
+    pub(crate) baud: u32,
+    /// The robot may drive: it stands at the start of a line maze, and there is room
+    #[arg(long)]
+    pub(crate) drive: bool,
 }
 
 /// What `generate` takes.

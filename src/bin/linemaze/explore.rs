@@ -84,7 +84,8 @@ const fn status(run: &AnyRun) -> Status {
         | Outcome::PathFull { .. }
         | Outcome::TableFull { .. }
         | Outcome::NoLine { .. }
-        | Outcome::TooManyStops { .. } => Status::Bad,
+        | Outcome::TooManyStops { .. }
+        | Outcome::Cut(_) => Status::Bad,
     }
 }
 

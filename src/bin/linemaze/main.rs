@@ -1,4 +1,4 @@
-//! The command line: run, trace, compare, check, generate and convert line mazes.
+//! The command line: run, trace, compare, check, generate and convert line mazes; be a robot, or check one.
 
 mod args;
 mod check;
@@ -6,8 +6,12 @@ mod compare;
 mod explore;
 mod files;
 mod league;
+mod link_check;
 mod locate;
 mod progress;
+#[cfg(unix)]
+mod pty;
+mod robot;
 mod table;
 mod turns;
 
@@ -69,6 +73,8 @@ fn obey(command: &Command, out: &mut impl Write) -> Result<Status, Failure> {
         Command::Check { maze } => check::check(maze, out),
         Command::Generate(args) => files::generate(args, out),
         Command::Convert { from, to } => files::convert(from, to),
+        Command::Robot(args) => robot::robot(args, out),
+        Command::LinkCheck(args) => link_check::link_check(args, out),
     }
 }
 

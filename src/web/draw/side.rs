@@ -108,7 +108,8 @@ fn verdict(run: &Run) -> AnyView {
             | Outcome::Stuck
             | Outcome::PathFull { .. }
             | Outcome::NoLine { .. }
-            | Outcome::TooManyStops { .. } => outcome.to_string(),
+            | Outcome::TooManyStops { .. }
+            | Outcome::Cut(_) => outcome.to_string(),
         };
         return view! { "Stops after " <b>{driven}</b> ": " {why} "." }.into_any();
     };

@@ -39,7 +39,8 @@ pub(super) fn lost(outcome: Outcome, step: Option<Step>) -> Narration {
         | Outcome::PathFull { .. }
         | Outcome::NoFinishReachable
         | Outcome::TableFull { .. }
-        | Outcome::TooManyStops { .. } => {
+        | Outcome::TooManyStops { .. }
+        | Outcome::Cut(_) => {
             let stops = if let Outcome::TooManyStops { limit } = outcome { i64::from(limit) } else { 0 };
             let said =
                 Said::default().text("After ").number(stops).text(" stops the bot ").strong("still drives");

@@ -1,0 +1,76 @@
+//! `linemaze link-check`: whether a robot keeps the rules of the protocol.
+
+use std::io::Write;
+
+use crate::args::LinkCheck;
+use crate::{Failure, Status};
+
+#[cfg(unix)]
+pub(crate) fn link_check(args: &LinkCheck, out: &mut impl Write) -> Result<Status, Failure> {
+    use std::io;
+    use std::time::{Duration, Instant};
+
+    use line_maze_lab::link::check::{Driving, Verdict, Wire, check};
+
+    use crate::pty::Port;
+
+    /// The port, and what went wrong with it.
+    struct Line {
+        port: Port,
+        error: Option<io::Error>,
+    }
+
+    impl Wire for Line {
+        fn send(&mut self, bytes: &[u8]) {
+            if self.error.is_none() {
+                self.error = self.port.write(bytes).err();
+            }
+        }
+
+        fn wait(&mut self, ms: u64) -> Vec<u8> {
+            let until = Instant::now() + Duration::from_millis(ms);
+            let mut all = Vec::new();
+            while self.error.is_none() {
+                let left = until.saturating_duration_since(Instant::now());
+                match self.port.wait(left.as_millis() as u32) {
+                    Ok(bytes) => all.extend(bytes),
+                    Err(error) => self.error = Some(error),
+                }
+                if left.as_millis() == 0 {
+                    break;
+                }
+            }
+            all
+        }
+    }
+
+    let fails = |error: &io::Error| Failure::Message(format!("{}: {error}", args.pty.display()));
+    let port = Port::open(&args.pty, args.baud).map_err(|error| fails(&error))?;
+    let mut line = Line { port, error: None };
+    let driving = if args.drive { Driving::Allowed } else { Driving::Forbidden };
+    let mut status = Status::Good;
+    let mut written = Ok(());
+    check(&mut line, driving, |rule, verdict| {
+        let said = match verdict {
+            Verdict::Kept => format!("kept       {:9} {}", rule.name, rule.says),
+            Verdict::NotTried(why) => format!("not tried  {:9} {}: {why}", rule.name, rule.says),
+            Verdict::Broken(words) => {
+                status = Status::Bad;
+                format!("BROKEN     {:9} {}\n           {:9} {words}", rule.name, rule.says, "")
+            }
+        };
+        if written.is_ok() {
+            written = writeln!(out, "{said}").and_then(|()| out.flush());
+        }
+    });
+    written?;
+    match line.error {
+        Some(error) => Err(fails(&error)),
+        None => Ok(status),
+    }
+}
+
+#[cfg(not(unix))]
+pub(crate) fn link_check(args: &LinkCheck, _: &mut impl Write) -> Result<Status, Failure> {
+    Err(Failure::Message(format!("{}: link-check needs Linux, macOS or another Unix", args.pty.display())))
+}

@@ -1,0 +1,25 @@
+//! The serial link between the page and a robot, as `PROTOCOL.md` tells it; nothing here moves a byte.
+//!
+//! Both ends are state machines driven by bytes and milliseconds. A board compiles [`frame`], [`request`],
+//! [`report`], [`tune`], [`keep`] and [`robot`]: these need no heap. The rest is the page's end.
+
+pub mod check;
+pub mod demo;
+pub mod fields;
+pub mod floor;
+pub mod frame;
+pub mod keep;
+pub mod live;
+pub mod monitor;
+pub mod page;
+pub mod plot;
+pub mod report;
+pub mod request;
+pub mod robot;
+pub mod session;
+pub mod tune;
+
+pub use fields::{Letters, MAX_LETTERS, Tag};
+
+/// The version of the protocol that this is.
+pub const PROTOCOL: u16 = 1;

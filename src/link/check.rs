@@ -1,0 +1,223 @@
+//! Plays the page's end against any robot and says of each rule of `PROTOCOL.md` whether it is kept.
+//!
+//! Nothing here drives the robot unless it is allowed to. What is changed on the robot (a setting, the turn
+//! list) is put back, the turn list's number and origin excepted.
+
+use alloc::string::String;
+use alloc::vec::Vec;
+
+use super::fields::Tag;
+use super::frame::{Decoder, Heard, Sum};
+use super::report::Report;
+use super::request::{Asked, Request};
+
+mod rules;
+
+pub use rules::RULES;
+
+/// A wire to a robot, and time on it.
+pub trait Wire {
+    /// Sends bytes.
+    fn send(&mut self, bytes: &[u8]);
+
+    /// Waits so long; everything that came meanwhile.
+    fn wait(&mut self, ms: u64) -> Vec<u8>;
+}
+
+/// Whether a rule is kept.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// It is.
+    Kept,
+    /// It is not: what was expected, and what came.
+    Broken(String),
+    /// It was not tried, and why.
+    NotTried(&'static str),
+}
+
+/// Whether the robot may be driven.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Driving {
+    /// It stays where it is.
+    Forbidden,
+    /// It stands at the start of a line maze, and there is room.
+    Allowed,
+}
+
+/// A rule: its name, and what it says.
+#[derive(Debug)]
+pub struct Rule {
+    /// A word for it, as in `PROTOCOL.md`.
+    pub name: &'static str,
+    /// What it says.
+    pub says: &'static str,
+    check: fn(&mut Talk<'_>) -> Result<(), Broken>,
+}
+
+/// What a rule's check ends with where the rule is not kept.
+enum Broken {
+    /// The rule is broken.
+    Rule(String),
+    /// It cannot be tried.
+    NotTried(&'static str),
+}
+
+impl From<String> for Broken {
+    fn from(words: String) -> Self {
+        Self::Rule(words)
+    }
+}
+
+/// A good line that came.
+#[derive(Clone, Debug)]
+struct Came {
+    ms: u64,
+    body: String,
+}
+
+/// A conversation with a robot.
+struct Talk<'w> {
+    wire: &'w mut dyn Wire,
+    driving: Driving,
+    decoder: Decoder,
+    now_ms: u64,
+    tag: u32,
+    /// Good lines since the last question.
+    came: Vec<Came>,
+    /// Lines that no robot may say.
+    strange: Vec<String>,
+    raw: Vec<u8>,
+}
+
+/// Checks every rule; tells each verdict as soon as it is known.
+pub fn check(wire: &mut dyn Wire, driving: Driving, mut tell: impl FnMut(&Rule, &Verdict)) {
+    let mut talk = Talk {
+        wire,
+        driving,
+        decoder: Decoder::new(),
+        now_ms: 0,
+        tag: 0,
+        came: Vec::new(),
+        strange: Vec::new(),
+        raw: Vec::new(),
+    };
+    let mut dead = false;
+    for rule in RULES {
+        let verdict = if dead {
+            Verdict::NotTried("the robot does not answer")
+        } else {
+            match (rule.check)(&mut talk) {
+                Ok(()) => Verdict::Kept,
+                Err(Broken::Rule(words)) => Verdict::Broken(words),
+                Err(Broken::NotTried(why)) => Verdict::NotTried(why),
+            }
+        };
+        dead |= rule.name == RULES[0].name && verdict != Verdict::Kept;
+        tell(rule, &verdict);
+    }
+}
+
+impl Talk<'_> {
+    /// Takes what comes in so many milliseconds.
+    fn listen(&mut self, ms: u64) {
+        let until_ms = self.now_ms + ms;
+        while self.now_ms < until_ms {
+            let bytes = self.wire.wait(5);
+            self.now_ms += 5;
+            for byte in bytes {
+                self.take(byte);
+            }
+        }
+    }
+
+    fn take(&mut self, byte: u8) {
+        self.raw.push(byte);
+        // The first line may have begun before anybody listened.
+        match self.decoder.push(byte) {
+            Heard::Nothing => {}
+            Heard::Line(line) if line.sum == Sum::Right && Report::parse(line.body).is_some() => {
+                let body = line.body.into();
+                self.came.push(Came { ms: self.now_ms, body });
+            }
+            Heard::Line(line) => self.strange.push(line.body.into()),
+            Heard::Bad(_) => self.strange.push(super::monitor::readable(&self.raw)),
+        }
+        if byte == b'\n' {
+            self.raw.clear();
+        }
+    }
+
+    /// Sends bytes as they are.
+    fn say(&mut self, bytes: &[u8]) {
+        self.came.clear();
+        self.wire.send(bytes);
+    }
+
+    fn sealed(&mut self, request: Request<'_>) -> (Tag, Vec<u8>) {
+        let tag = Tag::new(self.tag);
+        self.tag += 1;
+        (tag, Asked { tag: Some(tag), request }.write().seal().to_vec())
+    }
+
+    /// Asks, and waits for the answer of this number: the rest of an `ok`, or the code of an `err`.
+    fn ask(&mut self, request: Request<'_>) -> Result<Result<String, String>, Broken> {
+        let (tag, bytes) = self.sealed(request);
+        self.say(&bytes);
+        self.answer(&alloc::format!("#{}", tag.number()), &String::from_utf8_lossy(&bytes))
+    }
+
+    /// Waits for an `ok` or `err` with this number.
+    fn answer(&mut self, tag: &str, asked: &str) -> Result<Result<String, String>, Broken> {
+        for _ in 0..100 {
+            if let Some(found) = self.came.iter().find_map(|line| answer(&line.body, tag)) {
+                return Ok(found);
+            }
+            // A long answer may take longer than 500 ms in all, but not without a line.
+            let last_ms = self.came.last().map_or(self.now_ms, |line| line.ms);
+            if self.now_ms > last_ms + 500 {
+                break;
+            }
+            self.listen(10);
+        }
+        let asked = asked.trim();
+        Err(alloc::format!("no answer {tag} to “{asked}” within 500 ms").into())
+    }
+
+    /// Asks what must be answered `ok`.
+    fn must(&mut self, request: Request<'_>) -> Result<String, Broken> {
+        match self.ask(request)? {
+            Ok(rest) => Ok(rest),
+            Err(code) => Err(alloc::format!("{request:?} was answered err {code}").into()),
+        }
+    }
+
+    /// Asks what must be refused with this code.
+    fn must_not(&mut self, request: Request<'_>, code: &str) -> Result<(), Broken> {
+        // At most one `err` in 100 ms.
+        self.listen(120);
+        match self.ask(request)? {
+            Err(found) if found == code => Ok(()),
+            Err(found) => Err(alloc::format!("{request:?}: expected err {code}, came err {found}").into()),
+            Ok(_) => Err(alloc::format!("{request:?}: expected err {code}, came ok").into()),
+        }
+    }
+
+    /// The lines that came and begin with this word.
+    fn lines<'a>(&'a self, verb: &'a str) -> impl Iterator<Item = &'a str> {
+        self.came
+            .iter()
+            .map(|line| line.body.as_str())
+            .filter(move |line| line.split(' ').next() == Some(verb))
+    }
+}
+
+/// The rest of an answer with this number.
+fn answer(line: &str, tag: &str) -> Option<Result<String, String>> {
+    let (verb, rest) = line.split_once(' ')?;
+    let (found, rest) = rest.split_once(' ').unwrap_or((rest, ""));
+    match verb {
+        "ok" if found == tag => Some(Ok(rest.into())),
+        "err" if found == tag => Some(Err(rest.split(' ').next().unwrap_or_default().into())),
+        _ => None,
+    }
+}

@@ -1,0 +1,443 @@
+//! The rules of `PROTOCOL.md`, each with how it is tried.
+
+use alloc::format;
+use alloc::string::String;
+use alloc::vec::Vec;
+
+use super::super::fields::{Letters, MAX_LETTERS};
+use super::super::frame::crc16;
+use super::super::report::{End, Report};
+use super::super::request::{Level, Request, Upload};
+use super::super::tune::Name;
+use super::{Broken, Driving, Rule, Talk};
+use crate::settings::{Order, Preference};
+
+type Done = Result<(), Broken>;
+
+/// Every rule, in the order in which they are tried.
+pub const RULES: &[Rule] = &[
+    Rule {
+        name: "hi",
+        says: "hi is answered by ready, then ok, also after half a line and an LF",
+        check: hi,
+    },
+    Rule {
+        name: "typed",
+        says: "hi, get and the like are taken without a checksum and number",
+        check: typed,
+    },
+    Rule { name: "sealed", says: "what changes something is refused without a checksum", check: sealed },
+    Rule {
+        name: "damaged",
+        says: "a damaged line gives err sum or err byte and changes nothing",
+        check: damaged,
+    },
+    Rule { name: "long", says: "a line over 80 bytes gives err long once and is dropped", check: long },
+    Rule {
+        name: "quiet",
+        says: "at most one err in 100 ms, and no answer to err, ok or ready",
+        check: quiet,
+    },
+    Rule { name: "unknown", says: "unknown verbs, names and arguments are refused", check: unknown },
+    Rule {
+        name: "settings",
+        says: "every setting is told; set keeps a value within its range",
+        check: settings,
+    },
+    Rule { name: "upload", says: "begin, data, commit keep a list, and read gives it back", check: upload },
+    Rule { name: "again", says: "a repeated begin, data or commit is answered ok again", check: again },
+    Rule {
+        name: "whole",
+        says: "until a right commit the old list is kept; gaps and wrong sums are refused",
+        check: whole,
+    },
+    Rule { name: "room", says: "a list that is too long is refused", check: room },
+    Rule { name: "nodes", says: "nodes read tells every row, then ok with their number", check: nodes },
+    Rule { name: "watch", says: "off is silent, events beats once a second, all tells ir", check: watch },
+    Rule { name: "place", says: "no run without place; stop is answered when nothing runs", check: place },
+    Rule {
+        name: "run",
+        says: "a run tells at and do for each stop; while it goes on, changes are refused",
+        check: run,
+    },
+    Rule { name: "stop", says: "stop ends a run: ok, then end … stopped, told three times", check: stop },
+    Rule { name: "lines", says: "every line is whole, sealed and known", check: lines },
+];
+
+fn broken<T>(words: String) -> Result<T, Broken> {
+    Err(Broken::Rule(words))
+}
+
+fn hi(talk: &mut Talk<'_>) -> Done {
+    // An Uno resets when the port is opened; whatever it says until then is not its fault.
+    talk.listen(100);
+    for _ in 0..8 {
+        let (tag, bytes) = talk.sealed(Request::Hi);
+        let mut said = b"watch al\n".to_vec();
+        said.extend(bytes);
+        talk.say(&said);
+        if talk.answer(&format!("#{}", tag.number()), "hi").is_ok() {
+            talk.strange.clear();
+            talk.listen(200);
+            let first = talk.came.iter().position(|line| line.body.starts_with("ready "));
+            let ok =
+                talk.came.iter().position(|line| line.body.starts_with(&format!("ok #{}", tag.number())));
+            return match (first, ok) {
+                (Some(first), Some(ok)) if first < ok => ready(talk),
+                _ => broken("hi was answered ok, but no ready line came before it".into()),
+            };
+        }
+    }
+    broken("no answer within 4 s".into())
+}
+
+fn ready(talk: &Talk<'_>) -> Done {
+    match talk.lines("ready").next().and_then(Report::parse) {
+        Some(Report::Ready(ready)) if ready.protocol == super::super::PROTOCOL => Ok(()),
+        Some(Report::Ready(ready)) => broken(format!("protocol {}, expected 1", ready.protocol)),
+        _ => broken("the ready line is not understood".into()),
+    }
+}
+
+fn typed(talk: &mut Talk<'_>) -> Done {
+    for line in ["hi\n", "get kp\r\n", "watch events\n", "stop\n"] {
+        talk.listen(120);
+        talk.say(line.as_bytes());
+        match talk.answer("#-", line)? {
+            Ok(_) => {}
+            Err(code) => return broken(format!("“{}” was answered err {code}", line.trim())),
+        }
+    }
+    Ok(())
+}
+
+fn get(talk: &mut Talk<'_>, name: Name) -> Result<i64, Broken> {
+    let rest = talk.must(Request::Get(name))?;
+    let value = rest.strip_prefix(name.word()).and_then(|value| value.trim().parse().ok());
+    value.map_or_else(|| broken(format!("get {}: ok {rest}", name.word())), Ok)
+}
+
+/// Sends a line and expects this `err`, and that `kp` stays.
+fn refused(talk: &mut Talk<'_>, line: &[u8], codes: &[&str]) -> Done {
+    let before = get(talk, Name::Kp)?;
+    talk.listen(120);
+    talk.say(line);
+    talk.listen(300);
+    let words: Vec<String> = talk.lines("err").map(Into::into).collect();
+    let fits = |err: &String| err.split(' ').nth(2).is_some_and(|code| codes.contains(&code));
+    if words.len() != 1 || !words.iter().all(fits) {
+        let line = super::super::monitor::readable(line);
+        return broken(format!("“{line}”: expected one err {}, came {words:?}", codes.join(" or ")));
+    }
+    if get(talk, Name::Kp)? == before { Ok(()) } else { broken("a refused line changed kp".into()) }
+}
+
+fn sealed(talk: &mut Talk<'_>) -> Done {
+    refused(talk, b"set kp 1\n", &["sum"])?;
+    refused(talk, b"set kp 1 #3\n", &["sum"])?;
+    refused(talk, b"run explore SRL\n", &["sum"])
+}
+
+fn damaged(talk: &mut Talk<'_>) -> Done {
+    refused(talk, b"set kp 1 #3*00\n", &["sum"])?;
+    refused(talk, b"set kp* 1 #3*00\n", &["sum"])?;
+    let (_, mut bytes) = talk.sealed(Request::Set(Name::Kp, 1));
+    bytes[4] |= 0x80;
+    refused(talk, &bytes, &["byte", "sum"])
+}
+
+fn long(talk: &mut Talk<'_>) -> Done {
+    let mut line = alloc::vec![b'a'; 700];
+    line.push(b'\n');
+    refused(talk, &line, &["long"])
+}
+
+fn quiet(talk: &mut Talk<'_>) -> Done {
+    talk.listen(200);
+    talk.say(&b"nonsense*00\n".repeat(30));
+    talk.listen(90);
+    let errs = talk.lines("err").count();
+    if errs > 1 {
+        return broken(format!("{errs} err lines within 90 ms"));
+    }
+    talk.listen(300);
+    for line in ["err #4 sum checksum", "ok #4", "ready 1 x y 5 5"] {
+        let mut writer = super::super::frame::Writer::new();
+        let bytes = writer.word(line).seal().to_vec();
+        talk.say(&bytes);
+        talk.listen(150);
+        if let Some(answer) = talk.lines("err").chain(talk.lines("ok")).next() {
+            return broken(format!("“{line}” was answered “{answer}”"));
+        }
+    }
+    Ok(())
+}
+
+fn unknown(talk: &mut Talk<'_>) -> Done {
+    for (line, code) in [
+        ("dance #3", "verb"),
+        ("get speeed #3", "name"),
+        ("stop now #3", "args"),
+        ("watch some #3", "args"),
+        ("run explore SSR #3", "args"),
+        ("turns data 1 0 XYZ #3", "args"),
+        ("hi  #3", "args"),
+    ] {
+        let mut writer = super::super::frame::Writer::new();
+        let bytes = writer.word(line).seal().to_vec();
+        refused(talk, &bytes, &[code])?;
+    }
+    Ok(())
+}
+
+fn settings(talk: &mut Talk<'_>) -> Done {
+    for name in Name::ALL {
+        let before = get(talk, name)?;
+        let (least, most) = name.range();
+        let other = if before == i64::from(most) { least } else { most };
+        talk.must(Request::Set(name, other))?;
+        let now = get(talk, name)?;
+        talk.must(Request::Set(name, i32::try_from(before).unwrap_or(least)))?;
+        if now != i64::from(other) {
+            return broken(format!("set {} {other}, but get says {now}", name.word()));
+        }
+        talk.must_not(Request::Set(name, most + 1), "range")?;
+        talk.must_not(Request::Set(name, least - 1), "range")?;
+    }
+    Ok(())
+}
+
+/// A list that no maze asks for.
+const LIST: &str = "SRLSRLSRLSRLSRLSRLSRLSRLSRLSRLSRLSRLSRLSRLSRLB";
+
+fn announce(id: u16, letters: &str) -> Upload {
+    Upload { id, len: letters.len() as u16, crc: crc16(letters.bytes()) }
+}
+
+/// The list on the robot, if it has one: number and letters.
+fn read(talk: &mut Talk<'_>) -> Result<Option<(u16, String)>, Broken> {
+    talk.listen(120);
+    match talk.ask(Request::TurnsRead)? {
+        Err(code) if code == "no-list" => return Ok(None),
+        Err(code) => return broken(format!("turns read was answered err {code}")),
+        Ok(_) => {}
+    }
+    let mut have = None;
+    let mut letters = String::new();
+    for line in talk.lines("turns") {
+        match Report::parse(line) {
+            Some(Report::TurnsHave { id, len, crc, .. }) => have = Some((id, len, crc)),
+            Some(Report::TurnsData { offset, letters: piece, .. })
+                if usize::from(offset) == letters.len() =>
+            {
+                letters.push_str(piece.as_str());
+            }
+            _ => return broken(format!("turns read: “{line}” does not fit")),
+        }
+    }
+    match have {
+        Some((id, len, crc)) if usize::from(len) == letters.len() && crc == crc16(letters.bytes()) => {
+            Ok(Some((id, letters)))
+        }
+        Some(_) => broken("turns read: length or CRC does not fit the letters".into()),
+        None => broken("turns read: no “turns have” line".into()),
+    }
+}
+
+fn send(talk: &mut Talk<'_>, id: u16, letters: &str) -> Done {
+    talk.must(Request::TurnsBegin(announce(id, letters)))?;
+    data(talk, id, letters)?;
+    talk.must(Request::TurnsCommit { id })?;
+    Ok(())
+}
+
+fn data(talk: &mut Talk<'_>, id: u16, letters: &str) -> Done {
+    for offset in (0..letters.len()).step_by(MAX_LETTERS) {
+        let piece = &letters[offset..(offset + MAX_LETTERS).min(letters.len())];
+        if let Some(letters) = Letters::new(piece) {
+            talk.must(Request::TurnsData { id, offset: offset as u16, letters })?;
+        }
+    }
+    Ok(())
+}
+
+/// A number that is not the robot's.
+fn fresh(before: &Option<(u16, String)>) -> u16 {
+    before.as_ref().map_or(17, |(id, _)| id % 9_000 + 1)
+}
+
+fn same(talk: &mut Talk<'_>, id: u16, letters: &str) -> Done {
+    match read(talk)? {
+        Some(list) if list == (id, letters.into()) => Ok(()),
+        other => broken(format!("expected list {id} {letters}, the robot has {other:?}")),
+    }
+}
+
+fn upload(talk: &mut Talk<'_>) -> Done {
+    let before = read(talk)?;
+    let id = fresh(&before);
+    send(talk, id, LIST)?;
+    same(talk, id, LIST)?;
+    restore(talk, id, before)
+}
+
+fn again(talk: &mut Talk<'_>) -> Done {
+    let before = read(talk)?;
+    let id = fresh(&before);
+    for _ in 0..2 {
+        talk.must(Request::TurnsBegin(announce(id, LIST)))?;
+    }
+    for _ in 0..2 {
+        data(talk, id, LIST)?;
+    }
+    for _ in 0..3 {
+        talk.must(Request::TurnsCommit { id })?;
+    }
+    same(talk, id, LIST)?;
+    restore(talk, id, before)
+}
+
+/// Puts back the list that was there, under another number.
+fn restore(talk: &mut Talk<'_>, id: u16, before: Option<(u16, String)>) -> Done {
+    let Some((_, letters)) = before else { return Ok(()) };
+    send(talk, id + 1, &letters)?;
+    same(talk, id + 1, &letters)
+}
+
+fn whole(talk: &mut Talk<'_>) -> Done {
+    let Some((kept, letters)) = read(talk)? else { return Err(Broken::NotTried("there is no list")) };
+    let id = kept % 9_000 + 1;
+    let other = "RRRRR";
+    talk.must_not(Request::TurnsCommit { id: id + 1 }, "no-upload")?;
+    // Half of it, then a gap.
+    talk.must(Request::TurnsBegin(Upload { len: 60, ..announce(id, other) }))?;
+    data(talk, id, other)?;
+    same(talk, kept, &letters)?;
+    if let Some(piece) = Letters::new("LL") {
+        talk.must_not(Request::TurnsData { id, offset: 20, letters: piece }, "no-upload")?;
+    }
+    talk.must_not(Request::TurnsCommit { id }, "crc")?;
+    // The right length, but another sum.
+    talk.must(Request::TurnsBegin(Upload { crc: !crc16(other.bytes()), ..announce(id, other) }))?;
+    data(talk, id, other)?;
+    talk.must_not(Request::TurnsCommit { id }, "crc")?;
+    // A number that is taken.
+    talk.must_not(Request::TurnsBegin(announce(kept, other)), "id")?;
+    same(talk, kept, &letters)
+}
+
+fn room(talk: &mut Talk<'_>) -> Done {
+    talk.must(Request::Hi)?;
+    let Some(Report::Ready(ready)) = talk.lines("ready").next().and_then(Report::parse) else {
+        return broken("hi without a ready line".into());
+    };
+    let Some(len) = ready.turns.checked_add(1) else { return Err(Broken::NotTried("it keeps any list")) };
+    let id = fresh(&read(talk)?);
+    talk.must_not(Request::TurnsBegin(Upload { id, len, crc: 0 }), "full")
+}
+
+fn nodes(talk: &mut Talk<'_>) -> Done {
+    let rest = talk.must(Request::NodesRead)?;
+    let rows = talk.lines("node").count();
+    if rest == format!("nodes {rows}") { Ok(()) } else { broken(format!("{rows} rows, but ok {rest}")) }
+}
+
+/// Lines with this verb in so many milliseconds.
+fn count(talk: &mut Talk<'_>, level: Level, verb: &str, ms: u64) -> Result<usize, Broken> {
+    talk.must(Request::Watch(level))?;
+    talk.listen(200);
+    talk.came.clear();
+    talk.listen(ms);
+    Ok(talk.lines(verb).count())
+}
+
+fn watch(talk: &mut Talk<'_>) -> Done {
+    talk.must(Request::Watch(Level::Off))?;
+    talk.listen(200);
+    talk.came.clear();
+    talk.listen(1_500);
+    if let Some(line) = talk.came.first() {
+        return broken(format!("watch off, but “{}” came", line.body));
+    }
+    let beats = count(talk, Level::Events, "beat", 3_000)?;
+    if !(2..=4).contains(&beats) {
+        return broken(format!("{beats} beat lines in 3 s"));
+    }
+    if talk.lines("ir").next().is_some() {
+        return broken("watch events, but ir lines came".into());
+    }
+    let irs = count(talk, Level::All, "ir", 1_000)?;
+    talk.must(Request::Watch(Level::Events))?;
+    if irs == 0 { broken("watch all, but no ir line came within 1 s".into()) } else { Ok(()) }
+}
+
+fn place(talk: &mut Talk<'_>) -> Done {
+    if talk.driving == Driving::Forbidden {
+        // A robot that breaks this rule would drive off.
+        return Err(Broken::NotTried("only with --drive"));
+    }
+    talk.must(Request::Stop)?;
+    talk.must(Request::Place)?;
+    talk.must(Request::Place)?;
+    talk.must(Request::Explore(Order::Fixed(Preference::SRL)))?;
+    talk.must(Request::Stop)?;
+    talk.must_not(Request::Explore(Order::Fixed(Preference::SRL)), "place")?;
+    talk.must_not(Request::RunRoute, "place")
+}
+
+fn run(talk: &mut Talk<'_>) -> Done {
+    if talk.driving == Driving::Forbidden {
+        return Err(Broken::NotTried("only with --drive"));
+    }
+    talk.must(Request::Place)?;
+    let (tag, bytes) = talk.sealed(Request::Explore(Order::Fixed(Preference::SRL)));
+    for _ in 0..2 {
+        // The same request again is answered again, and starts nothing.
+        talk.say(&bytes);
+        talk.answer(&format!("#{}", tag.number()), "run")?
+            .or_else(|code| broken(format!("run was answered err {code}")))?;
+    }
+    talk.must_not(Request::Set(Name::Kp, 500), "busy")?;
+    talk.must_not(Request::Place, "busy")?;
+    talk.came.clear();
+    for _ in 0..400 {
+        talk.listen(50);
+        let told = |verb| talk.lines(verb).count();
+        if told("at") > 1 && told("do") > 1 || told("end") > 0 {
+            return order(talk);
+        }
+    }
+    broken("not two stops within 20 s".into())
+}
+
+/// `at` and `do` take turns.
+fn order(talk: &Talk<'_>) -> Done {
+    let verbs = talk.came.iter().filter_map(|line| line.body.split(' ').next());
+    let told: Vec<&str> = verbs.filter(|verb| matches!(*verb, "at" | "do")).collect();
+    if told.chunks(2).all(|pair| pair == ["at", "do"] || pair == ["at"]) {
+        Ok(())
+    } else {
+        broken(format!("at and do do not take turns: {}", told.join(" ")))
+    }
+}
+
+fn stop(talk: &mut Talk<'_>) -> Done {
+    if talk.driving == Driving::Forbidden {
+        return Err(Broken::NotTried("only with --drive"));
+    }
+    talk.must(Request::Stop)?;
+    talk.listen(2_500);
+    let ended =
+        |line: &&str| matches!(Report::parse(line), Some(Report::End(ended)) if ended.end == End::Stopped);
+    match talk.lines("end").filter(ended).count() {
+        3 => Ok(()),
+        times => broken(format!("end … stopped came {times} times in 2.5 s")),
+    }
+}
+
+fn lines(talk: &mut Talk<'_>) -> Done {
+    match talk.strange.first() {
+        None => Ok(()),
+        Some(line) => broken(format!("{} lines are not, the first: “{line}”", talk.strange.len())),
+    }
+}

@@ -1,0 +1,525 @@
+//! The page's end: driven by commands, bytes, what happens to the port, and milliseconds; it answers with
+//! what to do to the port. Whoever moves the bytes needs to know nothing else.
+
+use alloc::collections::VecDeque;
+use alloc::string::String;
+use alloc::vec::Vec;
+
+use super::fields::Tag;
+use super::frame::{Decoder, crc8};
+use super::live::{Errand, LiveRun, Mind};
+use super::monitor::{Mark, Monitor};
+use super::plot::Plot;
+use super::report::NodeLine;
+use super::request::{Level, Request};
+use super::session::Recorder;
+use super::tune::Name;
+use crate::event::Cut;
+use crate::route::TurnList;
+use crate::settings::Pace;
+
+mod asking;
+mod hearing;
+mod job;
+mod state;
+mod upload;
+mod view;
+
+use hearing::Coming;
+pub use job::{DEADLINE_MS, Job, News, Note, TRIES};
+use job::{Pending, sealed};
+pub use state::{Heard, OpenError, State, Trouble};
+use upload::Sending;
+pub use upload::{Kept, KeptList, Sent};
+pub use view::Snapshot;
+
+/// The rates that are offered, in the order in which they are tried: an Uno's, then a Bluetooth module's.
+pub const RATES: [u32; 6] = [115_200, 9_600, 57_600, 38_400, 19_200, 230_400];
+/// A reset robot is given so long to say `ready`.
+pub const BOOT_WAIT_MS: u64 = 3_000;
+/// Then `hi` is said so often, a second apart.
+pub const HIS: u8 = 3;
+/// Without a good line for so long, the robot is asked whether it is there.
+pub const SILENCE_MS: u64 = 2_500;
+/// A lost port is looked for every second, so often.
+pub const LOOKS: u8 = 30;
+const SECOND_MS: u64 = 1_000;
+/// Requests that may wait.
+const MOST_JOBS: usize = 64;
+/// Notes that are kept.
+const MOST_NOTES: usize = 32;
+
+/// What a person asks for.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Command {
+    /// Show the browser's list of ports.
+    Choose,
+    /// Open this port: a known one, or the demo robot.
+    Use(Port),
+    /// Close the port.
+    Disconnect,
+    /// The rate from the next opening on; at once, if nobody has answered.
+    Baud(u32),
+    /// After nobody has answered: the next of [`RATES`].
+    NextRate,
+    /// Send a turn list, and read it back.
+    Send(TurnList),
+    /// Read the robot's turn list.
+    ReadBack,
+    /// Learn the maze.
+    Explore(Mind),
+    /// Drive by the list on the robot.
+    RunRoute,
+    /// Stop, before everything else.
+    Stop,
+    /// The robot was put back at the start.
+    Place,
+    /// Read the node table.
+    ReadNodes,
+    /// Read every setting.
+    ReadSettings,
+    /// Change a setting.
+    Set(Name, i32),
+    /// How much the robot tells.
+    Watch(Level),
+    /// A line typed in the monitor; without a checksum, it gets one.
+    Line(String),
+}
+
+/// A port, as far as it can be told from others.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Port {
+    /// A serial port; vendor and product, if it is on USB.
+    Serial(Option<(u16, u16)>),
+    /// The virtual robot in the page.
+    Demo,
+}
+
+/// What happened to the port.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PortEvent {
+    /// There is no way to reach a port.
+    NoSerial,
+    /// A port was chosen in the browser's list.
+    Chosen(Port),
+    /// The list was closed without choosing.
+    Cancelled,
+    /// It is open.
+    Opened,
+    /// It could not be opened.
+    OpenFailed(OpenError),
+    /// It has gone: unplugged, or reading failed.
+    Gone,
+    /// The port that was lost is there again.
+    Appeared,
+}
+
+/// What is to be done to the port.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Action {
+    /// Show the browser's list; answer with `Chosen` or `Cancelled`.
+    Choose,
+    /// Open the port; answer with `Opened` or `OpenFailed`.
+    Open {
+        /// Bits a second.
+        baud: u32,
+    },
+    /// Send these bytes.
+    Write(Vec<u8>),
+    /// Close the port.
+    Close,
+    /// Look whether the lost port is there again; if so, answer with `Appeared`.
+    Look,
+}
+
+/// Who the robot is.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Identity {
+    /// Its firmware.
+    pub firmware: String,
+    /// Its board.
+    pub board: String,
+    /// Nodes that it can remember.
+    pub nodes: u16,
+    /// Letters of a turn list that it can keep.
+    pub turns: u16,
+}
+
+/// Where the page's end stands, with what it needs to go on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Phase {
+    Absent,
+    Closed,
+    Choosing,
+    Opening,
+    Waiting { since_ms: u64, his: u8, heard: Heard },
+    Ready,
+    Running,
+    Lost { since_ms: u64, looks: u8, opening: Attempt },
+    Failed(Trouble),
+}
+
+/// While a lost port is looked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Attempt {
+    None,
+    Opening,
+}
+
+/// The page's end of the link.
+///
+/// ```
+/// use line_maze_lab::link::page::{Action, Command, Link, Port, PortEvent, State};
+/// let mut link = Link::new(0, 0);
+/// assert_eq!(link.command(Command::Use(Port::Serial(None)), 0), [Action::Open { baud: 115_200 }]);
+/// let said = link.port_event(PortEvent::Opened, 5);
+/// assert_eq!(said, [Action::Write(b"\nhi #0*04\n".to_vec())]);
+/// link.bytes_in(b"ready 1 lab-1 uno 50 400*E0\n", 9);
+/// assert_eq!(link.state(), State::Ready);
+/// ```
+#[derive(Debug)]
+pub struct Link {
+    phase: Phase,
+    port: Option<Port>,
+    baud: u32,
+    decoder: Decoder,
+    monitor: Monitor,
+    plot: Plot,
+    session: Recorder,
+    actions: Vec<Action>,
+    queue: VecDeque<Job>,
+    pending: Option<Pending>,
+    next_tag: u32,
+    level: Level,
+    robot: Option<Identity>,
+    tune: [Option<i32>; Name::COUNT],
+    nodes: Vec<NodeLine>,
+    coming: Coming,
+    kept: Kept,
+    sending: Option<Sending>,
+    /// An upload that was cut off, until the robot's list is read.
+    unsure: Option<Sending>,
+    sent: Sent,
+    live: Option<LiveRun>,
+    starting: Option<LiveRun>,
+    pace: Pace,
+    placed: Placed,
+    lost_before: LostBefore,
+    notes: VecDeque<Note>,
+    heard_ms: u64,
+    restarted_ms: Option<u64>,
+    /// When `hi` was said last, or a line typed that may be one.
+    hi_ms: Option<u64>,
+    /// How often a long answer was asked for anew, as lines of it were lost.
+    rereads: u8,
+    robot_ms: Option<u32>,
+    millivolts: Option<u16>,
+}
+
+/// Whether the robot stands at the start, as far as the page was told.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Placed {
+    /// It has driven, or was switched on somewhere: it has to be put back, and told so.
+    Somewhere,
+    /// At the start.
+    AtStart,
+}
+
+/// Whether the connection was lost before.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum LostBefore {
+    No,
+    Yes,
+}
+
+impl Link {
+    /// Closed, at a moment of the page's clock that is `wall_ms` after midnight.
+    #[must_use]
+    pub fn new(now_ms: u64, wall_ms: u64) -> Self {
+        Self {
+            phase: Phase::Closed,
+            port: None,
+            baud: RATES[0],
+            decoder: Decoder::new(),
+            monitor: Monitor::new(now_ms, wall_ms),
+            plot: Plot::default(),
+            session: Recorder::new(now_ms),
+            actions: Vec::new(),
+            queue: VecDeque::new(),
+            pending: None,
+            next_tag: 0,
+            level: Level::All,
+            robot: None,
+            tune: [None; Name::COUNT],
+            nodes: Vec::new(),
+            coming: Coming::default(),
+            kept: Kept::Unknown,
+            sending: None,
+            unsure: None,
+            sent: Sent::Nothing,
+            live: None,
+            starting: None,
+            pace: Pace::default(),
+            placed: Placed::Somewhere,
+            lost_before: LostBefore::No,
+            notes: VecDeque::new(),
+            heard_ms: now_ms,
+            restarted_ms: None,
+            hi_ms: None,
+            rereads: 0,
+            robot_ms: None,
+            millivolts: None,
+        }
+    }
+
+    /// Does what a person asks for. What makes no sense now is told in a [`Note`].
+    pub fn command(&mut self, command: Command, now_ms: u64) -> Vec<Action> {
+        match command {
+            Command::Choose if self.is_at_rest() => {
+                self.phase = Phase::Choosing;
+                self.actions.push(Action::Choose);
+            }
+            Command::Use(port) if self.is_at_rest() || self.phase == Phase::Absent && port == Port::Demo => {
+                self.open(port);
+            }
+            Command::Choose | Command::Use(_) => {}
+            Command::Disconnect => self.disconnect(now_ms),
+            Command::Baud(baud) => self.change_rate(baud.max(1), now_ms),
+            Command::NextRate => {
+                let at = RATES.iter().position(|&rate| rate == self.baud).map_or(0, |at| at + 1);
+                self.change_rate(RATES[at % RATES.len()], now_ms);
+            }
+            Command::Send(list) => self.send(&list, now_ms),
+            Command::ReadBack => self.ask(Job::ReadTurns, now_ms),
+            Command::Explore(mind) => self.run(Errand::Explore(mind), now_ms),
+            Command::RunRoute => self.run(Errand::Route, now_ms),
+            Command::Stop => self.stop(now_ms),
+            Command::Place => self.ask(Job::Place, now_ms),
+            Command::ReadNodes => self.ask(Job::ReadNodes, now_ms),
+            Command::ReadSettings => Name::ALL.into_iter().for_each(|name| self.ask(Job::Get(name), now_ms)),
+            Command::Set(name, value) => self.ask(Job::Set(name, value), now_ms),
+            Command::Watch(level) => {
+                self.level = level;
+                if self.state().is_connected() {
+                    self.ask(Job::Watch(level), now_ms);
+                }
+            }
+            Command::Line(line) => self.type_line(&line, now_ms),
+        }
+        self.go_on(now_ms)
+    }
+
+    /// Takes what happened to the port.
+    pub fn port_event(&mut self, event: PortEvent, now_ms: u64) -> Vec<Action> {
+        match (event, self.phase) {
+            (PortEvent::NoSerial, Phase::Closed | Phase::Choosing) => self.phase = Phase::Absent,
+            (PortEvent::Chosen(port), Phase::Choosing) => self.open(port),
+            (PortEvent::Cancelled, Phase::Choosing) => {
+                self.phase = Phase::Closed;
+                self.note(News::NothingChosen, now_ms);
+            }
+            (PortEvent::Opened, Phase::Opening | Phase::Lost { opening: Attempt::Opening, .. }) => {
+                self.opened(now_ms);
+            }
+            // Somebody has disconnected meanwhile.
+            (PortEvent::Opened, Phase::Closed | Phase::Failed(_)) => self.actions.push(Action::Close),
+            (PortEvent::OpenFailed(error), Phase::Opening) => {
+                self.phase = Phase::Failed(Trouble::Open(error));
+            }
+            (PortEvent::OpenFailed(_), Phase::Lost { since_ms, looks, .. }) => {
+                self.phase = Phase::Lost { since_ms, looks, opening: Attempt::None };
+            }
+            (PortEvent::Appeared, Phase::Lost { since_ms, looks, opening: Attempt::None }) => {
+                self.phase = Phase::Lost { since_ms, looks, opening: Attempt::Opening };
+                self.actions.push(Action::Open { baud: self.baud });
+            }
+            (PortEvent::Gone, Phase::Waiting { .. } | Phase::Ready | Phase::Running | Phase::Opening) => {
+                self.hang_up(now_ms);
+                self.phase = Phase::Lost { since_ms: now_ms, looks: 0, opening: Attempt::None };
+                self.lost_before = LostBefore::Yes;
+            }
+            (PortEvent::Gone, Phase::Lost { since_ms, looks, .. }) => {
+                self.phase = Phase::Lost { since_ms, looks, opening: Attempt::None };
+            }
+            (
+                PortEvent::NoSerial
+                | PortEvent::Chosen(_)
+                | PortEvent::Cancelled
+                | PortEvent::Opened
+                | PortEvent::OpenFailed(_)
+                | PortEvent::Gone
+                | PortEvent::Appeared,
+                Phase::Absent
+                | Phase::Closed
+                | Phase::Choosing
+                | Phase::Opening
+                | Phase::Waiting { .. }
+                | Phase::Ready
+                | Phase::Running
+                | Phase::Lost { .. }
+                | Phase::Failed(_),
+            ) => {}
+        }
+        self.go_on(now_ms)
+    }
+
+    /// Lets time pass. To be called a few times a second, more often while something is sent.
+    pub fn tick(&mut self, now_ms: u64) -> Vec<Action> {
+        match self.phase {
+            Phase::Waiting { since_ms, his, heard } => self.wait_on(since_ms, his, heard, now_ms),
+            Phase::Lost { since_ms, looks, opening } => {
+                let due_ms = since_ms + SECOND_MS * (u64::from(looks) + 1);
+                if now_ms >= due_ms && looks >= LOOKS {
+                    self.phase = Phase::Failed(Trouble::Gone);
+                } else if now_ms >= due_ms {
+                    self.phase = Phase::Lost { since_ms, looks: looks + 1, opening };
+                    if opening == Attempt::None {
+                        self.actions.push(Action::Look);
+                    }
+                }
+            }
+            Phase::Ready | Phase::Running => self.wait_for_answer(now_ms),
+            Phase::Absent | Phase::Closed | Phase::Choosing | Phase::Opening | Phase::Failed(_) => {}
+        }
+        self.go_on(now_ms)
+    }
+
+    /// Sends the next request, if it is time, and gives what is to be done.
+    fn go_on(&mut self, now_ms: u64) -> Vec<Action> {
+        if matches!(self.phase, Phase::Ready | Phase::Running) {
+            self.ask_next(now_ms);
+        }
+        core::mem::take(&mut self.actions)
+    }
+
+    const fn is_at_rest(&self) -> bool {
+        matches!(self.phase, Phase::Closed | Phase::Failed(_) | Phase::Choosing)
+    }
+
+    fn open(&mut self, port: Port) {
+        self.port = Some(port);
+        self.phase = Phase::Opening;
+        self.lost_before = LostBefore::No;
+        self.actions.push(Action::Open { baud: self.baud });
+    }
+
+    fn opened(&mut self, now_ms: u64) {
+        self.decoder = Decoder::new();
+        self.robot_ms = None;
+        self.phase = Phase::Waiting { since_ms: now_ms, his: 0, heard: Heard::Nothing };
+        self.say_hi(now_ms);
+    }
+
+    /// An LF first: half a line of somebody else cannot swallow the `hi`.
+    fn say_hi(&mut self, now_ms: u64) {
+        let mut bytes = alloc::vec![b'\n'];
+        let tag = self.tag();
+        bytes.extend(sealed(Request::Hi, tag));
+        self.hi_ms = Some(now_ms);
+        self.write(bytes, now_ms);
+    }
+
+    fn wait_on(&mut self, since_ms: u64, his: u8, heard: Heard, now_ms: u64) {
+        if now_ms < since_ms + BOOT_WAIT_MS + SECOND_MS * u64::from(his) {
+            return;
+        }
+        if his < HIS {
+            self.phase = Phase::Waiting { since_ms, his: his + 1, heard };
+            self.say_hi(now_ms);
+        } else {
+            self.fail(Trouble::NoAnswer { baud: self.baud, heard }, now_ms);
+        }
+    }
+
+    fn fail(&mut self, trouble: Trouble, now_ms: u64) {
+        self.hang_up(now_ms);
+        self.actions.push(Action::Close);
+        self.phase = Phase::Failed(trouble);
+    }
+
+    fn disconnect(&mut self, now_ms: u64) {
+        let open = matches!(self.phase, Phase::Waiting { .. } | Phase::Ready | Phase::Running);
+        self.hang_up(now_ms);
+        if open {
+            self.actions.push(Action::Close);
+        }
+        if self.phase != Phase::Absent {
+            self.phase = Phase::Closed;
+        }
+    }
+
+    /// The connection ends: nothing waits any more, the run is kept as far as it was told.
+    fn hang_up(&mut self, now_ms: u64) {
+        self.queue.clear();
+        if let Some(pending) = self.pending.take().filter(|pending| pending.job.is_told()) {
+            self.note(News::NoAnswer(pending.job), now_ms);
+        }
+        self.cut_upload();
+        self.cut_run();
+        self.monitor.end_line(Mark::Plain);
+        self.coming = Coming::default();
+        self.kept = Kept::Unknown;
+        self.robot = None;
+        self.placed = Placed::Somewhere;
+        self.millivolts = None;
+    }
+
+    fn cut_run(&mut self) {
+        self.starting = None;
+        if let Some(live) = &mut self.live {
+            live.cut(Cut::ConnectionLost);
+        }
+        if self.phase == Phase::Running {
+            self.phase = Phase::Ready;
+        }
+    }
+
+    fn cut_upload(&mut self) {
+        if let Some(sending) = self.sending.take() {
+            self.sent = sending.cut();
+            self.unsure = Some(sending);
+        }
+    }
+
+    fn change_rate(&mut self, baud: u32, now_ms: u64) {
+        let from = core::mem::replace(&mut self.baud, baud);
+        if let (Phase::Failed(Trouble::NoAnswer { .. }), Some(port)) = (self.phase, self.port) {
+            self.note(News::NextRate { from, to: baud }, now_ms);
+            self.open(port);
+        }
+    }
+
+    /// A line from the monitor, with a checksum if it has none.
+    fn type_line(&mut self, line: &str, now_ms: u64) {
+        if !matches!(self.phase, Phase::Waiting { .. } | Phase::Ready | Phase::Running) {
+            return;
+        }
+        let line = line.trim();
+        let mut bytes = line.as_bytes().to_vec();
+        if !line.contains('*') {
+            bytes.extend(alloc::format!("*{:02X}", crc8(line.as_bytes())).into_bytes());
+        }
+        bytes.push(b'\n');
+        self.hi_ms = Some(now_ms);
+        self.write(bytes, now_ms);
+    }
+
+    fn write(&mut self, bytes: Vec<u8>, now_ms: u64) {
+        self.monitor.sent(&bytes, now_ms);
+        self.session.sent(&bytes, now_ms);
+        self.actions.push(Action::Write(bytes));
+    }
+
+    fn note(&mut self, news: News, now_ms: u64) {
+        if self.notes.len() == MOST_NOTES {
+            self.notes.pop_front();
+        }
+        self.notes.push_back(Note { ms: now_ms, news });
+    }
+
+    fn tag(&mut self) -> Tag {
+        let tag = Tag::new(self.next_tag);
+        self.next_tag = (self.next_tag + 1) % 100;
+        tag
+    }
+}

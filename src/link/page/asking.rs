@@ -1,0 +1,165 @@
+//! One request at a time: sent, waited for, sent again, given up; and `stop`, which waits for none.
+
+use super::super::live::{Errand, LiveRun};
+use super::super::request::Request;
+use super::job::sealed;
+use super::{
+    DEADLINE_MS, Job, Kept, Link, MOST_JOBS, News, Pending, Phase, SILENCE_MS, Sending, Sent, TRIES,
+};
+use super::{Trouble, hearing::Coming};
+use crate::route::TurnList;
+
+impl Link {
+    /// Asks, when those who came before are answered.
+    pub(super) fn ask(&mut self, job: Job, now_ms: u64) {
+        if !matches!(self.phase, Phase::Ready | Phase::Running) || self.queue.len() >= MOST_JOBS {
+            self.note(News::NotNow(job), now_ms);
+        } else {
+            self.queue.push_back(job);
+        }
+    }
+
+    pub(super) fn run(&mut self, errand: Errand, now_ms: u64) {
+        if self.phase == Phase::Ready && self.sending.is_none() {
+            self.ask(Job::Run(errand), now_ms);
+        } else {
+            self.note(News::NotNow(Job::Run(errand)), now_ms);
+        }
+    }
+
+    pub(super) fn send(&mut self, list: &TurnList, now_ms: u64) {
+        // A number that the robot's list does not have, so that they can be told apart whatever happens.
+        let taken = match &self.kept {
+            Kept::List(list) => list.upload.id,
+            Kept::Nothing | Kept::Unknown => 0,
+        };
+        let id = (taken.wrapping_add(now_ms as u16 % 9_000) % 9_999).wrapping_add(1);
+        let id = if id == taken { id % 9_999 + 1 } else { id };
+        match Sending::new(list, id) {
+            Some(sending) if self.phase == Phase::Ready && self.sending.is_none() => {
+                self.sent = sending.progress();
+                self.sending = Some(sending);
+                self.unsure = None;
+                self.ask(Job::Send, now_ms);
+            }
+            Some(_) | None => self.note(News::NotNow(Job::Send), now_ms),
+        }
+    }
+
+    /// `stop` overtakes everything; what only asks is asked afterwards.
+    pub(super) fn stop(&mut self, now_ms: u64) {
+        if !matches!(self.phase, Phase::Waiting { .. } | Phase::Ready | Phase::Running) {
+            return;
+        }
+        let waiting = self.pending.take().map(|pending| pending.job);
+        let jobs: alloc::vec::Vec<Job> = waiting.into_iter().chain(self.queue.drain(..)).collect();
+        for job in jobs {
+            if job.only_asks() {
+                self.queue.push_back(job);
+            } else if job != Job::Stop {
+                self.note(News::Overtaken(job), now_ms);
+            }
+        }
+        if self.sending.is_some() {
+            self.cut_upload();
+            self.queue.push_front(Job::ReadTurns);
+        }
+        self.starting = None;
+        self.write(alloc::vec![b'\n'], now_ms);
+        self.put(Job::Stop, now_ms);
+    }
+
+    /// Sends the next request, unless one is waited for.
+    pub(super) fn ask_next(&mut self, now_ms: u64) {
+        if self.pending.is_none()
+            && let Some(job) = self.queue.pop_front()
+        {
+            self.put(job, now_ms);
+        }
+    }
+
+    fn put(&mut self, job: Job, now_ms: u64) {
+        let tag = self.tag();
+        if let Job::Run(mut errand) = job {
+            // The page's explorer is to be no cleverer than the robot can be.
+            if let (Errand::Explore(mind), Some(robot)) = (&mut errand, &self.robot) {
+                mind.node_max = mind.node_max.min(u32::from(robot.nodes));
+            }
+            self.starting = Some(LiveRun::new(errand, self.pace));
+        }
+        self.pending = Some(Pending { job, tag, tries: 0, deadline_ms: now_ms });
+        self.put_again(now_ms);
+    }
+
+    fn put_again(&mut self, now_ms: u64) {
+        let Some(Pending { job, tag, tries, .. }) = self.pending else { return };
+        let bytes = match (job.request(), &mut self.sending) {
+            (Some(request), _) => sealed(request, tag),
+            (None, Some(sending)) => sealed(sending.request(), tag),
+            // An upload that is no more.
+            (None, None) => return self.pending = None,
+        };
+        if matches!(job, Job::ReadTurns | Job::ReadNodes) {
+            self.coming = Coming::default();
+        }
+        self.pending = Some(Pending { job, tag, tries: tries + 1, deadline_ms: now_ms + DEADLINE_MS });
+        self.write(bytes, now_ms);
+    }
+
+    /// Whatever is waited for may be overdue, and so may any sign of life.
+    pub(super) fn wait_for_answer(&mut self, now_ms: u64) {
+        match self.pending {
+            Some(pending) if now_ms < pending.deadline_ms => {}
+            Some(pending) if pending.tries < TRIES => self.put_again(now_ms),
+            Some(pending) => self.give_up(pending.job, now_ms),
+            None if now_ms >= self.heard_ms + SILENCE_MS => self.queue.push_front(Job::Hi),
+            None => {}
+        }
+    }
+
+    pub(super) fn give_up(&mut self, job: Job, now_ms: u64) {
+        self.pending = None;
+        self.rereads = 0;
+        match job {
+            Job::Hi => return self.fail(Trouble::Silent, now_ms),
+            Job::Send => {
+                self.cut_upload();
+                self.queue.push_front(Job::ReadTurns);
+            }
+            Job::Run(_) => self.starting = None,
+            // Which list it holds stays open until it is read at last.
+            Job::ReadTurns => {
+                self.kept = Kept::Unknown;
+                self.cut_upload();
+            }
+            Job::Watch(_) | Job::ReadNodes | Job::Get(_) | Job::Set(..) | Job::Stop | Job::Place => {}
+        }
+        // What else waits would not be answered either: first of all, is anybody there?
+        if now_ms >= self.heard_ms + SILENCE_MS {
+            self.queue.push_front(Job::Hi);
+        }
+        self.note(News::NoAnswer(job), now_ms);
+    }
+
+    /// Starts the next step of the upload in the place of the one that was answered.
+    pub(super) fn send_on(&mut self, now_ms: u64) {
+        if let Some(sending) = &self.sending {
+            self.sent = sending.progress();
+        }
+        self.put(Job::Send, now_ms);
+    }
+
+    /// The robot's list was read: that settles which one it holds.
+    pub(super) fn settle(&mut self) {
+        if let Some(sending) = self.sending.take() {
+            self.sent = sending.compare(&self.kept);
+        } else if let Some(unsure) = self.unsure.take().filter(|_| self.sent == Sent::Unsure) {
+            self.sent = unsure.compare(&self.kept);
+        }
+    }
+
+    /// The request that only asks whether anybody is there.
+    pub(super) fn asks_hi(&self) -> bool {
+        self.pending.is_some_and(|pending| pending.job.request() == Some(Request::Hi))
+    }
+}
