@@ -10,8 +10,8 @@ use line_maze_lab::explorer::name::Name;
 use line_maze_lab::geometry::{Heading, Point};
 use line_maze_lab::maze::samples::{self, SAMPLES};
 use line_maze_lab::maze::{Kind, Maze, checks, file, json, text};
-use line_maze_lab::route::{Route, TurnList, best};
 use line_maze_lab::playback::Timeline as _;
+use line_maze_lab::route::{Route, TurnList, best};
 use line_maze_lab::run::{AnyRun, explore, record};
 use line_maze_lab::settings::{Order, Pace, Preference, Rule, Settings};
 use line_maze_lab::trace::Trace;
@@ -124,7 +124,8 @@ const CLAIMS: &[(&str, Claim)] = &[
     }),
     ("fast-or-short", |maze| {
         let (start, pace) = (maze.start().unwrap(), Pace::default());
-        let (short, fast) = (best::shortest(maze, start, &pace).unwrap(), best::fastest(maze, start, &pace).unwrap());
+        let (short, fast) =
+            (best::shortest(maze, start, &pace).unwrap(), best::fastest(maze, start, &pace).unwrap());
         assert_eq!((short.cells, fast.cells), (8, 10));
         assert!(fast.seconds < short.seconds);
         // Turns that take no time make them the same.

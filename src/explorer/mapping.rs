@@ -348,7 +348,9 @@ impl Robot for Mapping {
     }
 
     fn fact(&self, key: &str, out: &mut String) {
-        let Some(column) = self.visits.len().checked_sub(1).and_then(|last| self.column(last)) else { return };
+        let Some(column) = self.visits.len().checked_sub(1).and_then(|last| self.column(last)) else {
+            return;
+        };
         let cell = self.cell(column.point);
         out.push_str(&match key {
             "point" => column.point.to_string(),
@@ -368,7 +370,10 @@ impl Robot for Mapping {
     }
 
     fn host_bytes(&self) -> usize {
-        self.places.bytes() + size_of::<Known>() * self.points.len() + 4 * self.visits.len() + self.route.len()
+        self.places.bytes()
+            + size_of::<Known>() * self.points.len()
+            + 4 * self.visits.len()
+            + self.route.len()
     }
 
     fn node(&self, _: Look) -> Option<u32> {

@@ -79,11 +79,9 @@ impl Extras {
                 adjacency: Some(adjacency(run, mind)),
                 ..extras
             },
-            Mind::Hand(_)
-            | Mind::Sums(_)
-            | Mind::Tremaux(_)
-            | Mind::DepthFirst(_)
-            | Mind::FloodFill(_) => extras,
+            Mind::Hand(_) | Mind::Sums(_) | Mind::Tremaux(_) | Mind::DepthFirst(_) | Mind::FloodFill(_) => {
+                extras
+            }
         }
     }
 }

@@ -49,12 +49,14 @@ fn figures_2_and_3() {
     assert_eq!(row(|column| column.kind), [0, 3, 2, 2, 0, 2, 1, 3, 0, 3, 2, 0]);
     assert_eq!(row(|column| column.explored as i32), [0, 1, 1, 1, 1, 2, 1, 3, 1, 4, 2, 1]);
     let cells = |ms: i32| ms / 400;
-    assert_eq!(row(|c| c.x).into_iter().map(cells).collect::<Vec<_>>(), [
-        0, 0, 14, 14, 14, 14, 0, 0, -5, 0, 14, 14
-    ]);
-    assert_eq!(row(|c| c.y).into_iter().map(cells).collect::<Vec<_>>(), [
-        0, 10, 10, 13, 16, 13, 13, 10, 10, 10, 10, 2
-    ]);
+    assert_eq!(
+        row(|c| c.x).into_iter().map(cells).collect::<Vec<_>>(),
+        [0, 0, 14, 14, 14, 14, 0, 0, -5, 0, 14, 14]
+    );
+    assert_eq!(
+        row(|c| c.y).into_iter().map(cells).collect::<Vec<_>>(),
+        [0, 10, 10, 13, 16, 13, 13, 10, 10, 10, 10, 2]
+    );
     let degrees: Vec<usize> = (0..8).map(|point| map.neighbours(point).count()).collect();
     // S A E D G C B F
     assert_eq!(degrees, [1, 4, 3, 3, 1, 2, 1, 1]);

@@ -36,7 +36,8 @@ proptest! {
 
 #[test]
 fn a_jump_in_a_long_run_shows_what_stepping_shows() {
-    let recipe = Recipe { width: 60, height: 60, loops_percent: 5, dead_ends_cut_percent: 0, ..Recipe::default() };
+    let recipe =
+        Recipe { width: 60, height: 60, loops_percent: 5, dead_ends_cut_percent: 0, ..Recipe::default() };
     let mut maze = generate(&recipe).unwrap();
     for &name in &Name::ALL[1..] {
         // Flood fill needs a finish; all others drive longer without.

@@ -63,8 +63,7 @@ pub(crate) enum Command {
     },
 }
 
-const RUN_STATUS: &str =
-    "Exit status: 0 finish reached or all mapped, 1 any other outcome, 2 the input or the arguments make no sense.";
+const RUN_STATUS: &str = "Exit status: 0 finish reached or all mapped, 1 any other outcome, 2 the input or the arguments make no sense.";
 
 const MAZE_HELP: &str =
     "A maze file of any readable format (.maze, JSON, micromouse), or - for standard input";

@@ -5,9 +5,9 @@ use std::io::Write;
 use line_maze_lab::event::Outcome;
 use line_maze_lab::ink::Ink;
 use line_maze_lab::maze::Maze;
-use line_maze_lab::report::{NODE_BYTES, Report, StopReport};
 use line_maze_lab::playback::Timeline as _;
 use line_maze_lab::recording::Cursor;
+use line_maze_lab::report::{NODE_BYTES, Report, StopReport};
 use line_maze_lab::run::AnyRun;
 use line_maze_lab::settings::Settings;
 use serde::Serialize;
@@ -107,7 +107,10 @@ fn tell(maze: &Maze, run: &AnyRun, report: &Report, out: &mut impl Write) -> Res
     match report.ptr {
         Some(ptr) => {
             let nodes = memory_bytes / NODE_BYTES;
-            writeln!(out, "memory       {memory_bytes} bytes: {nodes} nodes at once; ptr = {ptr} at the end")?;
+            writeln!(
+                out,
+                "memory       {memory_bytes} bytes: {nodes} nodes at once; ptr = {ptr} at the end"
+            )?;
         }
         None => writeln!(out, "memory       {memory_bytes} bytes: {}", run.name().about().bytes)?,
     }

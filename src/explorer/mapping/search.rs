@@ -180,7 +180,8 @@ impl<'m> Search<'m> {
 
 fn around_finishes(map: &Mapping) -> Option<[i32; 4]> {
     let finishes = (0..map.total_points()).filter(|&point| map.is_finish(point));
-    finishes.map(|point| map.places.coordinates(point)).map(|(x, y)| [x, y, x, y]).reduce(|a, b| {
-        [a[0].min(b[0]), a[1].min(b[1]), a[2].max(b[2]), a[3].max(b[3])]
-    })
+    finishes
+        .map(|point| map.places.coordinates(point))
+        .map(|(x, y)| [x, y, x, y])
+        .reduce(|a, b| [a[0].min(b[0]), a[1].min(b[1]), a[2].max(b[2]), a[3].max(b[3])])
 }
