@@ -248,7 +248,7 @@ fn a_start_that_the_robot_cannot_use_is_bad_input() {
 #[test]
 fn arguments_out_of_range_say_what_is_possible() {
     let cases: [(&[&str], &str); 14] = [
-        (&["--explorer", "third-hand"], "[possible values: book]"),
+        (&["--explorer", "third-hand"], "[possible values: book, left-hand, right-hand, "),
         (&["--order", "SRB"], "an order is S, R and L once each"),
         (&["--order", "random:"], "random: and a whole number"),
         (&["--epsilon", "-1"], "unexpected argument '-1'"),
@@ -531,8 +531,18 @@ fn mapping_reports_the_graph() {
     assert_eq!(report["distance_mm"], 820.0);
     assert_eq!((&report["route_cells"], &report["memory_bytes"]), (&json!(32), &json!(120)));
     let points = json!([
-        [0, 0], [0, 10], [14, 10], [14, 13], [14, 16], [14, 13],
-        [0, 13], [0, 10], [-5, 10], [0, 10], [14, 10], [14, 2],
+        [0, 0],
+        [0, 10],
+        [14, 10],
+        [14, 13],
+        [14, 16],
+        [14, 13],
+        [0, 13],
+        [0, 10],
+        [-5, 10],
+        [0, 10],
+        [14, 10],
+        [14, 2],
     ]);
     assert_eq!(report["points"], points);
     assert_eq!(report["adjacency"]["0,10"], json!([[0, 0], [14, 10], [0, 13], [-5, 10]]));

@@ -12,7 +12,7 @@ use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 
 use super::mind::{Field, Plan, Robot};
-use super::squares::{Aim, ORDER, Squares, VISITED, wall};
+use super::squares::{ORDER, Squares, VISITED, wall};
 use super::tell::Said;
 use crate::event::{Decision, Finish, Home, Look, Outcome};
 use crate::geometry::{Heading, Point, Turn};
@@ -67,8 +67,11 @@ impl Cornell {
     #[must_use]
     pub fn new(version: Version, field: Field) -> Self {
         let (at, heading) = (field.start, field.heading);
-        let (squares, route, finishes) = (Squares::new(field), Vec::new(), Vec::new());
-        Self { version, squares, at, heading, route, finishes }
+        let squares = match version {
+            Version::One | Version::Two => Squares::new(field),
+            Version::Three => Squares::for_searching(field),
+        };
+        Self { version, squares, at, heading, route: Vec::new(), finishes: Vec::new() }
     }
 
     /// The map.
@@ -130,7 +133,7 @@ impl Cornell {
             return Some(look.first_of(&ORDER));
         }
         said.ran(line::SEARCH);
-        let Some(mut route) = self.squares.search(self.at, self.heading, Aim::Unvisited) else {
+        let Some(mut route) = self.squares.nearest_unvisited(self.at, self.heading) else {
             said.ran(line::DONE);
             said.is(case::DONE);
             return None;
@@ -194,7 +197,7 @@ impl Robot for Cornell {
     }
 
     fn host_bytes(&self) -> usize {
-        self.squares.bytes().len() + self.route.len()
+        2 * self.squares.bytes().len() + self.route.len()
     }
 
     fn plan(&self) -> Option<Plan> {

@@ -5,6 +5,11 @@ use alloc::vec;
 use alloc::vec::Vec;
 
 use super::mind::{Field, Plan};
+
+mod spent;
+
+use spent::Spent;
+
 use crate::geometry::{Heading, Point, Turn, Ways};
 
 /// The bit of a visited square.
@@ -28,11 +33,20 @@ pub enum Aim<'a> {
     Any(&'a [u32]),
 }
 
+/// Which visited squares a search goes through.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Over {
+    All,
+    Unspent,
+}
+
 /// The map.
 #[derive(Clone, Debug)]
 pub struct Squares {
     field: Field,
     bytes: Vec<u8>,
+    /// Which squares can lead to no unvisited one; kept where that is asked for.
+    spent: Spent,
     scratch: Scratch,
 }
 
@@ -57,7 +71,14 @@ impl Squares {
     /// A map without a visited square or a wall.
     #[must_use]
     pub fn new(field: Field) -> Self {
-        Self { field, bytes: vec![0; field.squares()], scratch: Scratch::default() }
+        Self { field, bytes: vec![0; field.squares()], spent: Spent::default(), scratch: Scratch::default() }
+    }
+
+    /// The same, for a robot that looks for the nearest unvisited square again and again
+    /// ([`Squares::nearest_unvisited`]).
+    #[must_use]
+    pub fn for_searching(field: Field) -> Self {
+        Self { spent: Spent::new(field.squares()), ..Self::new(field) }
     }
 
     /// The field.
@@ -90,7 +111,24 @@ impl Squares {
         let before = self.bytes[place];
         let walls = Ways::ALL.minus(ways).iter().fold(0, |walls, heading| walls | wall(heading));
         self.bytes[place] = before | walls | VISITED;
+        if before & VISITED == 0 {
+            self.spent.visited(self.field, &self.bytes, place);
+        }
         self.bytes[place] != before
+    }
+
+    /// What [`Squares::search`] finds for [`Aim::Unvisited`], without looking into squares that lead nowhere
+    /// new: from those there is one way out, and nothing else on the map changes for leaving them aside.
+    pub fn nearest_unvisited(&mut self, from: Point, heading: Heading) -> Option<Vec<Heading>> {
+        let mut ways = Vec::new();
+        let (mut at, mut by) = (from, heading);
+        while let Some(exit) = self.spent.exit(self.place(at)?) {
+            by = exit?;
+            ways.push(by);
+            at = at.step(by);
+        }
+        ways.extend(self.search_over(at, by, Aim::Unvisited, Over::Unspent)?);
+        Some(ways)
     }
 
     /// Notes a wall of a square. Whether that was new.
@@ -104,7 +142,17 @@ impl Squares {
     /// The headings from a visited square to the nearest one that is meant, over what is known of visited
     /// squares; breadth first, neighbours as a robot driven there would see them.
     pub fn search(&mut self, from: Point, heading: Heading, aim: Aim<'_>) -> Option<Vec<Heading>> {
-        let Self { field, bytes, scratch } = self;
+        self.search_over(from, heading, aim, Over::All)
+    }
+
+    fn search_over(
+        &mut self,
+        from: Point,
+        heading: Heading,
+        aim: Aim<'_>,
+        over: Over,
+    ) -> Option<Vec<Heading>> {
+        let Self { field, bytes, spent, scratch } = self;
         let height = field.height as i32;
         let place = |at: Point| field.index(Point::new(at.x, height - 1 - at.y));
         if scratch.met.len() < bytes.len() {
@@ -151,7 +199,7 @@ impl Squares {
                     ways.reverse();
                     return Some(ways);
                 }
-                if visited {
+                if visited && (over == Over::All || !spent.is(there)) {
                     scratch.queue.push((to, there as u32));
                 }
             }

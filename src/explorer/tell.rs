@@ -90,21 +90,47 @@ impl Told<'_> {
     /// The sentences, with the facts of the mind after the stop.
     #[must_use]
     pub fn narrate(&self, mind: &dyn Robot) -> Narration {
-        let mut said = Vec::new();
         let verdict = match self.decision {
-            Decision::End(outcome) => verdict(outcome),
+            Decision::End(outcome) => self.verdict(outcome),
             Decision::Go(_) => None,
         };
-        self.fill(self.case.told, mind, &mut said);
-        let (tone, short) = match &verdict {
-            Some(text) => {
-                said.push(Span::Text(" ".into()));
-                said.push(Span::Strong(text.clone().into()));
-                (Tone::Bad, alloc::vec![Span::Strong(text.clone().into())])
+        let mut said = Vec::new();
+        let tone = match verdict {
+            Some((tone, text)) => {
+                said.push(Span::Text(text.into()));
+                tone
             }
-            None => (self.case.tone, first_sentence(&said)),
+            None => {
+                self.fill(self.case.told, mind, &mut said);
+                self.case.tone
+            }
         };
+        let short = first_sentence(&said);
         Narration { case: self.case.name, tone, said, short, section: self.section }
+    }
+
+    /// What the referee says, who sees more than the robot; ends that the robot knows itself are cases.
+    fn verdict(&self, outcome: Outcome) -> Option<(Tone, String)> {
+        let text = match outcome {
+            Outcome::Finish | Outcome::NoFinishReachable | Outcome::PathFull { .. } => return None,
+            Outcome::Mapped if self.case.mark == Mark::End => return None,
+            Outcome::Mapped => {
+                let text =
+                    "The robot goes on, but it has seen every square that it can reach: all is mapped.";
+                return Some((Tone::Go, text.to_string()));
+            }
+            Outcome::Circling { first, again } => alloc::format!(
+                "The robot stands as it stood at stop {first}. Nothing in its memory could make it decide otherwise now, at stop {again}: it would circle for ever."
+            ),
+            Outcome::Stuck => "No way leaves the start: the robot is stuck.".to_string(),
+            Outcome::TableFull { .. }
+            | Outcome::NoLine { .. }
+            | Outcome::TooManyStops { .. }
+            | Outcome::Cut(_) => {
+                alloc::format!("The run ends here, {outcome}.")
+            }
+        };
+        Some((Tone::Bad, text))
     }
 
     fn fill(&self, template: &'static str, mind: &dyn Robot, said: &mut Vec<Span>) {
@@ -166,24 +192,6 @@ impl Told<'_> {
     }
 }
 
-/// What the referee adds; the explorer's own ends have words of their own.
-fn verdict(outcome: Outcome) -> Option<String> {
-    match outcome {
-        Outcome::Finish | Outcome::NoFinishReachable | Outcome::PathFull { .. } => None,
-        Outcome::Mapped => Some("Every place that can be reached is mapped.".to_string()),
-        Outcome::Circling { first, again } => Some(alloc::format!(
-            "Stop {again} is stop {first} again, and nothing in its memory could make the robot decide otherwise: it circles for ever."
-        )),
-        Outcome::Stuck => Some("No way leaves the start: it is stuck.".to_string()),
-        Outcome::TableFull { .. }
-        | Outcome::NoLine { .. }
-        | Outcome::TooManyStops { .. }
-        | Outcome::Cut(_) => {
-            Some(alloc::format!("The run ends here, {outcome}."))
-        }
-    }
-}
-
 /// What the robot does.
 pub(super) const fn act(turn: Turn) -> &'static str {
     match turn {
@@ -198,10 +206,10 @@ pub(super) const fn act(turn: Turn) -> &'static str {
 fn first_sentence(said: &[Span]) -> Vec<Span> {
     let mut short = Vec::new();
     for span in said {
-        if let Span::Text(Cow::Borrowed(text)) = span
+        if let Span::Text(text) = span
             && let Some(end) = text.find(". ")
         {
-            short.push(Span::Text(Cow::Borrowed(&text[..=end])));
+            short.push(Span::Text(text[..=end].to_string().into()));
             return short;
         }
         short.push(span.clone());

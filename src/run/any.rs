@@ -12,6 +12,8 @@ use crate::route::{Corners, Route, Strayed, TurnList};
 use crate::trace::Trace;
 
 /// A run.
+// There are few, and they are seldom moved: a box would only be in the way.
+#[expect(clippy::large_enum_variant)]
 #[derive(Clone, Debug)]
 pub enum AnyRun {
     /// Of the book's explorer.

@@ -6,6 +6,7 @@ use line_maze_lab::event::Outcome;
 use line_maze_lab::explorer::mapping::search::{Aim, Search};
 use line_maze_lab::explorer::mind::Mind;
 use line_maze_lab::explorer::name::Name;
+use line_maze_lab::explorer::squares::Aim as Sought;
 use line_maze_lab::explorer::sums;
 use line_maze_lab::geometry::{Heading, Point, Turn};
 use line_maze_lab::maze::{Maze, Start};
@@ -133,6 +134,20 @@ proptest! {
         }
         let report = Report::of_run(&maze, &Settings::default(), &AnyRun::Other(run));
         prop_assert_eq!(report.route_cells, report.shortest_cells);
+    }
+
+    #[test]
+    fn cornell_3_goes_to_what_a_plain_search_finds(maze in anywhere()) {
+        let run = recording(&maze, Name::Cornell3);
+        for stop in (0..=run.stops()).filter(|&stop| run.case(stop).name == "search") {
+            let here = run.at(stop);
+            let Mind::Cornell(mind) = here.mind else { unreachable!() };
+            let (x, y) = mind.position();
+            let at = Point::new(x, mind.squares().field().height as i32 - 1 - y);
+            let plain = mind.squares().clone().search(at, here.heading, Sought::Unvisited);
+            let route = std::iter::once(mind.orientation()).chain(mind.route().iter().rev().copied());
+            prop_assert_eq!(plain.unwrap(), route.collect::<Vec<_>>());
+        }
     }
 
     #[test]
