@@ -1,6 +1,7 @@
 //! Entering a recording anywhere.
 
 use line_maze_lab::explorer::name::Name;
+use line_maze_lab::maze::generate::{Recipe, generate};
 use line_maze_lab::recording::{Cursor, Recording};
 use line_maze_lab::run::{AnyRun, record};
 use line_maze_lab::settings::Settings;
@@ -29,6 +30,72 @@ proptest! {
         let mut jumper = Cursor::default();
         for stop in jumps.iter().map(|jump| jump.index(stops as usize)).chain((0..stops as usize).rev().take(20)) {
             prop_assert_eq!(&told(&run, &mut jumper, stop as u32), &stepped[stop]);
+        }
+    }
+}
+
+#[test]
+fn a_jump_in_a_long_run_shows_what_stepping_shows() {
+    let recipe =
+        Recipe { width: 60, height: 60, loops_percent: 5, dead_ends_cut_percent: 0, ..Recipe::default() };
+    let mut maze = generate(&recipe).unwrap();
+    for &name in &Name::ALL[1..] {
+        // Flood fill needs a finish; all others drive longer without.
+        maze.set_finish(if name == Name::FloodFill { vec![maze.bounds().ne()] } else { vec![] });
+        let AnyRun::Other(run) = record(&maze, &Settings::default(), name).unwrap() else { unreachable!() };
+        let words = |cursor: &mut Cursor, stop| {
+            let here = cursor.seek(&run, stop).clone();
+            (here.said, here.decision, here.mind.robot().peak_bytes(), run.narrate(&here))
+        };
+        let (mut stepper, mut jumper) = (Cursor::default(), Cursor::default());
+        let stepped: Vec<_> = (0..=run.stops()).map(|stop| words(&mut stepper, stop)).collect();
+        for jump in (0..=run.stops()).rev().step_by(97) {
+            assert_eq!(words(&mut jumper, jump), stepped[jump as usize], "{name}, stop {jump}");
+        }
+        assert_eq!(run.last().robot().peak_bytes(), stepped.last().unwrap().2);
+    }
+}
+
+#[test]
+fn every_case_is_told_in_whole_sentences() {
+    for &name in &Name::ALL[1..] {
+        let about = name.about();
+        assert!(!about.listing.is_empty() && !about.cannot.is_empty() && !about.idea.is_empty(), "{name}");
+        for case in about.cases {
+            for (mark, why) in [('*', "strong"), ('`', "code")] {
+                assert!(case.told.matches(mark).count() % 2 == 0, "{name}, {}: {why}", case.name);
+            }
+            assert_eq!(case.told.matches('{').count(), case.told.matches('}').count(), "{name}");
+            assert!(case.told.ends_with('.'), "{name}, {}", case.name);
+        }
+        for line in about.listing {
+            assert!(line.len() <= 100, "{name}: {line}");
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(100))]
+
+    #[test]
+    fn sentences_have_no_holes(recipe in recipes(6)) {
+        for &name in &Name::ALL[1..] {
+            let AnyRun::Other(run) = record(&recipe.maze(), &Settings::default(), name).unwrap() else {
+                unreachable!()
+            };
+            let mut cursor = Cursor::default();
+            for stop in 0..=run.stops() {
+                let here = cursor.seek(&run, stop).clone();
+                prop_assert!(!here.said.lines().is_empty());
+                prop_assert_eq!(here.said.lines().len(), usize::from(run.step(stop).lines()));
+                let told = run.narrate(&here);
+                for text in [told.text(), told.short_text()] {
+                    prop_assert!(text.ends_with('.'), "{}: {}", name, text);
+                    let hole = ["{", "}", "*", "`", "  ", " ,", " .", ": ,"].iter().any(|hole| text.contains(hole));
+                    prop_assert!(!hole, "{}: {}", name, text);
+                }
+                prop_assert!(told.text().split_whitespace().count() <= 60, "{}: {}", name, told.text());
+            }
         }
     }
 }
