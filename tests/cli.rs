@@ -248,7 +248,7 @@ fn a_start_that_the_robot_cannot_use_is_bad_input() {
 #[test]
 fn arguments_out_of_range_say_what_is_possible() {
     let cases: [(&[&str], &str); 14] = [
-        (&["--explorer", "third-hand"], "[possible values: book]"),
+        (&["--explorer", "third-hand"], "[possible values: book, left-hand"),
         (&["--order", "SRB"], "an order is S, R and L once each"),
         (&["--order", "random:"], "random: and a whole number"),
         (&["--epsilon", "-1"], "unexpected argument '-1'"),
