@@ -45,7 +45,7 @@ type Mind = Robot<IdealBody, Eeprom, { NODE_MAX as usize }>;
 #[derive(Debug)]
 enum Power {
     /// In the bootloader: deaf and mute until then.
-    Booting { until_ms: u64, body: IdealBody, eeprom: Eeprom },
+    Booting { until_ms: u64, body: Box<IdealBody>, eeprom: Eeprom },
     /// Alive since then.
     On { since_ms: u64, robot: Box<Mind> },
     /// Between two states; never seen.
@@ -66,7 +66,7 @@ impl DemoRobot {
     /// # Errors
     /// As [`DemoRobot::new`].
     pub fn with_memory(maze: &Maze, eeprom: Eeprom, now_ms: u64) -> Result<Self, CannotStart> {
-        let body = IdealBody::new(maze)?;
+        let body = Box::new(IdealBody::new(maze)?);
         let power = Power::Booting { until_ms: now_ms + BOOT_MS, body, eeprom };
         let wire_us = now_ms * 1000;
         let on_the_way = VecDeque::new();
@@ -95,7 +95,7 @@ impl DemoRobot {
             Power::Booting { body, eeprom, .. } => Power::Booting { until_ms, body, eeprom },
             Power::On { robot, .. } => {
                 let (body, eeprom) = robot.power_off();
-                Power::Booting { until_ms, body, eeprom }
+                Power::Booting { until_ms, body: Box::new(body), eeprom }
             }
             Power::Switching => Power::Switching,
         };
@@ -145,7 +145,7 @@ impl DemoRobot {
         for &byte in bytes {
             let heard = match &mut self.faults {
                 None => [Some(byte), None],
-                Some(faults) => faults.to_robot(byte, now_ms),
+                Some(faults) => faults.towards_robot(byte, now_ms),
             };
             if let Power::On { since_ms, robot } = &mut self.power {
                 for byte in heard.into_iter().flatten() {
@@ -191,7 +191,7 @@ impl DemoRobot {
                 robot.tick(robot_ms);
                 match &mut self.faults {
                     None => self.on_the_way.push_back((now_ms, byte)),
-                    Some(faults) => faults.to_page(byte, now_ms, &mut self.on_the_way),
+                    Some(faults) => faults.towards_page(byte, now_ms, &mut self.on_the_way),
                 }
             }
         }
@@ -209,7 +209,7 @@ impl DemoRobot {
     fn boot(&mut self, now_ms: u64) {
         self.power = match core::mem::replace(&mut self.power, Power::Switching) {
             Power::Booting { body, eeprom, .. } => {
-                Power::On { since_ms: now_ms, robot: Box::new(Robot::boot(body, eeprom, 0)) }
+                Power::On { since_ms: now_ms, robot: Box::new(Robot::boot(*body, eeprom, 0)) }
             }
             on @ (Power::On { .. } | Power::Switching) => on,
         };

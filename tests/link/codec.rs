@@ -182,6 +182,12 @@ fn what_is_typed_may_only_ask() {
     }
 }
 
+#[test]
+fn names_of_more_than_16_letters_are_no_names() {
+    assert!(Report::parse("ready 1 sixteen-letters1 uno 50 400").is_some());
+    assert_eq!(Report::parse("ready 1 seventeen-letters uno 50 400"), None);
+}
+
 proptest! {
     #[test]
     fn requests_survive_a_round_trip(request in requests(), tag in tags()) {

@@ -41,7 +41,7 @@ impl Faults {
     }
 
     /// A byte on the way to the robot: it, nothing, another, or twice.
-    pub(super) fn to_robot(&mut self, byte: u8, now_ms: u64) -> [Option<u8>; 2] {
+    pub(super) fn towards_robot(&mut self, byte: u8, now_ms: u64) -> [Option<u8>; 2] {
         if matches!(self.spell, Spell::Silence { until_ms } if now_ms < until_ms) {
             return [None, None];
         }
@@ -60,7 +60,7 @@ impl Faults {
     }
 
     /// A byte on the way to the page.
-    pub(super) fn to_page(&mut self, byte: u8, now_ms: u64, way: &mut VecDeque<(u64, u8)>) {
+    pub(super) fn towards_page(&mut self, byte: u8, now_ms: u64, way: &mut VecDeque<(u64, u8)>) {
         if matches!(self.spell, Spell::Silence { until_ms } if now_ms < until_ms) {
             return;
         }

@@ -19,12 +19,16 @@ pub struct Ready<'a> {
     pub turns: u16,
 }
 
+/// The most letters of a firmware's or a board's name.
+const MOST_NAME: usize = 16;
+
 impl<'a> Ready<'a> {
     pub(super) fn parse(f: &mut Fields<'a>) -> Option<Self> {
+        let short = |word: &&str| word.len() <= MOST_NAME;
         Some(Self {
             protocol: f.number()?,
-            firmware: f.word()?,
-            board: f.word()?,
+            firmware: f.word().filter(short)?,
+            board: f.word().filter(short)?,
             nodes: f.number()?,
             turns: f.number()?,
         })
