@@ -12,6 +12,7 @@ use super::report::Report;
 use super::request::{Asked, Request};
 
 mod rules;
+mod uploads;
 
 pub use rules::RULES;
 

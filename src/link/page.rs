@@ -2,36 +2,36 @@
 //! what to do to the port. Whoever moves the bytes needs to know nothing else.
 
 use alloc::collections::VecDeque;
-use alloc::string::String;
 use alloc::vec::Vec;
 
 use super::fields::Tag;
 use super::frame::{Decoder, crc8};
-use super::live::{Errand, LiveRun, Mind};
-use super::monitor::{Mark, Monitor};
+use super::live::{Errand, LiveRun};
+use super::monitor::Monitor;
 use super::plot::Plot;
 use super::report::NodeLine;
-use super::request::{Level, Request};
+use super::request::Level;
 use super::session::Recorder;
 use super::tune::Name;
-use crate::event::Cut;
-use crate::route::TurnList;
 use crate::settings::Pace;
 
 mod asking;
+mod connection;
 mod hearing;
 mod job;
 mod state;
 mod upload;
 mod view;
+mod words;
 
 use hearing::Coming;
+use job::Pending;
 pub use job::{DEADLINE_MS, Job, News, Note, TRIES};
-use job::{Pending, sealed};
 pub use state::{Heard, OpenError, State, Trouble};
 use upload::Sending;
 pub use upload::{Kept, KeptList, Sent};
 pub use view::Snapshot;
+pub use words::{Action, Command, Identity, Port, PortEvent};
 
 /// The rates that are offered, in the order in which they are tried: an Uno's, then a Bluetooth module's.
 pub const RATES: [u32; 6] = [115_200, 9_600, 57_600, 38_400, 19_200, 230_400];
@@ -48,102 +48,6 @@ const SECOND_MS: u64 = 1_000;
 const MOST_JOBS: usize = 64;
 /// Notes that are kept.
 const MOST_NOTES: usize = 32;
-
-/// What a person asks for.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Command {
-    /// Show the browser's list of ports.
-    Choose,
-    /// Open this port: a known one, or the demo robot.
-    Use(Port),
-    /// Close the port.
-    Disconnect,
-    /// The rate from the next opening on; at once, if nobody has answered.
-    Baud(u32),
-    /// After nobody has answered: the next of [`RATES`].
-    NextRate,
-    /// Send a turn list, and read it back.
-    Send(TurnList),
-    /// Read the robot's turn list.
-    ReadBack,
-    /// Learn the maze.
-    Explore(Mind),
-    /// Drive by the list on the robot.
-    RunRoute,
-    /// Stop, before everything else.
-    Stop,
-    /// The robot was put back at the start.
-    Place,
-    /// Read the node table.
-    ReadNodes,
-    /// Read every setting.
-    ReadSettings,
-    /// Change a setting.
-    Set(Name, i32),
-    /// How much the robot tells.
-    Watch(Level),
-    /// A line typed in the monitor; without a checksum, it gets one.
-    Line(String),
-}
-
-/// A port, as far as it can be told from others.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Port {
-    /// A serial port; vendor and product, if it is on USB.
-    Serial(Option<(u16, u16)>),
-    /// The virtual robot in the page.
-    Demo,
-}
-
-/// What happened to the port.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum PortEvent {
-    /// There is no way to reach a port.
-    NoSerial,
-    /// A port was chosen in the browser's list.
-    Chosen(Port),
-    /// The list was closed without choosing.
-    Cancelled,
-    /// It is open.
-    Opened,
-    /// It could not be opened.
-    OpenFailed(OpenError),
-    /// It has gone: unplugged, or reading failed.
-    Gone,
-    /// The port that was lost is there again.
-    Appeared,
-}
-
-/// What is to be done to the port.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Action {
-    /// Show the browser's list; answer with `Chosen` or `Cancelled`.
-    Choose,
-    /// Open the port; answer with `Opened` or `OpenFailed`.
-    Open {
-        /// Bits a second.
-        baud: u32,
-    },
-    /// Send these bytes.
-    Write(Vec<u8>),
-    /// Close the port.
-    Close,
-    /// Look whether the lost port is there again; if so, answer with `Appeared`.
-    Look,
-}
-
-/// Who the robot is.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Identity {
-    /// Its firmware.
-    pub firmware: String,
-    /// Its board.
-    pub board: String,
-    /// Nodes that it can remember.
-    pub nodes: u16,
-    /// Letters of a turn list that it can keep.
-    pub turns: u16,
-}
 
 /// Where the page's end stands, with what it needs to go on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -390,103 +294,6 @@ impl Link {
             self.ask_next(now_ms);
         }
         core::mem::take(&mut self.actions)
-    }
-
-    const fn is_at_rest(&self) -> bool {
-        matches!(self.phase, Phase::Closed | Phase::Failed(_) | Phase::Choosing)
-    }
-
-    fn open(&mut self, port: Port) {
-        self.port = Some(port);
-        self.phase = Phase::Opening;
-        self.lost_before = LostBefore::No;
-        self.actions.push(Action::Open { baud: self.baud });
-    }
-
-    fn opened(&mut self, now_ms: u64) {
-        self.decoder = Decoder::new();
-        self.robot_ms = None;
-        self.phase = Phase::Waiting { since_ms: now_ms, his: 0, heard: Heard::Nothing };
-        self.say_hi(now_ms);
-    }
-
-    /// An LF first: half a line of somebody else cannot swallow the `hi`.
-    fn say_hi(&mut self, now_ms: u64) {
-        let mut bytes = alloc::vec![b'\n'];
-        let tag = self.tag();
-        bytes.extend(sealed(Request::Hi, tag));
-        self.hi_ms = Some(now_ms);
-        self.write(bytes, now_ms);
-    }
-
-    fn wait_on(&mut self, since_ms: u64, his: u8, heard: Heard, now_ms: u64) {
-        if now_ms < since_ms + BOOT_WAIT_MS + SECOND_MS * u64::from(his) {
-            return;
-        }
-        if his < HIS {
-            self.phase = Phase::Waiting { since_ms, his: his + 1, heard };
-            self.say_hi(now_ms);
-        } else {
-            self.fail(Trouble::NoAnswer { baud: self.baud, heard }, now_ms);
-        }
-    }
-
-    fn fail(&mut self, trouble: Trouble, now_ms: u64) {
-        self.hang_up(now_ms);
-        self.actions.push(Action::Close);
-        self.phase = Phase::Failed(trouble);
-    }
-
-    fn disconnect(&mut self, now_ms: u64) {
-        let open = matches!(self.phase, Phase::Waiting { .. } | Phase::Ready | Phase::Running);
-        self.hang_up(now_ms);
-        if open {
-            self.actions.push(Action::Close);
-        }
-        if self.phase != Phase::Absent {
-            self.phase = Phase::Closed;
-        }
-    }
-
-    /// The connection ends: nothing waits any more, the run is kept as far as it was told.
-    fn hang_up(&mut self, now_ms: u64) {
-        self.queue.clear();
-        if let Some(pending) = self.pending.take().filter(|pending| pending.job.is_told()) {
-            self.note(News::NoAnswer(pending.job), now_ms);
-        }
-        self.cut_upload();
-        self.cut_run();
-        self.monitor.end_line(Mark::Plain);
-        self.coming = Coming::default();
-        self.kept = Kept::Unknown;
-        self.robot = None;
-        self.placed = Placed::Somewhere;
-        self.millivolts = None;
-    }
-
-    fn cut_run(&mut self) {
-        self.starting = None;
-        if let Some(live) = &mut self.live {
-            live.cut(Cut::ConnectionLost);
-        }
-        if self.phase == Phase::Running {
-            self.phase = Phase::Ready;
-        }
-    }
-
-    fn cut_upload(&mut self) {
-        if let Some(sending) = self.sending.take() {
-            self.sent = sending.cut();
-            self.unsure = Some(sending);
-        }
-    }
-
-    fn change_rate(&mut self, baud: u32, now_ms: u64) {
-        let from = core::mem::replace(&mut self.baud, baud);
-        if let (Phase::Failed(Trouble::NoAnswer { .. }), Some(port)) = (self.phase, self.port) {
-            self.note(News::NextRate { from, to: baud }, now_ms);
-            self.open(port);
-        }
     }
 
     /// A line from the monitor, with a checksum if it has none.

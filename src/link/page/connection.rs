@@ -1,0 +1,109 @@
+//! The connection's life: opened, `hi` said until somebody answers, given up, hung up.
+
+use super::hearing::Coming;
+use super::job::sealed;
+use super::{Action, BOOT_WAIT_MS, HIS, Heard, Kept, Link, LostBefore, News, Phase, Placed, Port};
+use super::{SECOND_MS, Trouble};
+use crate::event::Cut;
+use crate::link::frame::Decoder;
+use crate::link::monitor::Mark;
+use crate::link::request::Request;
+
+impl Link {
+    pub(super) const fn is_at_rest(&self) -> bool {
+        matches!(self.phase, Phase::Closed | Phase::Failed(_) | Phase::Choosing)
+    }
+
+    pub(super) fn open(&mut self, port: Port) {
+        self.port = Some(port);
+        self.phase = Phase::Opening;
+        self.lost_before = LostBefore::No;
+        self.actions.push(Action::Open { baud: self.baud });
+    }
+
+    pub(super) fn opened(&mut self, now_ms: u64) {
+        self.decoder = Decoder::new();
+        self.robot_ms = None;
+        self.phase = Phase::Waiting { since_ms: now_ms, his: 0, heard: Heard::Nothing };
+        self.say_hi(now_ms);
+    }
+
+    /// An LF first: half a line of somebody else cannot swallow the `hi`.
+    pub(super) fn say_hi(&mut self, now_ms: u64) {
+        let mut bytes = alloc::vec![b'\n'];
+        let tag = self.tag();
+        bytes.extend(sealed(Request::Hi, tag));
+        self.hi_ms = Some(now_ms);
+        self.write(bytes, now_ms);
+    }
+
+    pub(super) fn wait_on(&mut self, since_ms: u64, his: u8, heard: Heard, now_ms: u64) {
+        if now_ms < since_ms + BOOT_WAIT_MS + SECOND_MS * u64::from(his) {
+            return;
+        }
+        if his < HIS {
+            self.phase = Phase::Waiting { since_ms, his: his + 1, heard };
+            self.say_hi(now_ms);
+        } else {
+            self.fail(Trouble::NoAnswer { baud: self.baud, heard }, now_ms);
+        }
+    }
+
+    pub(super) fn fail(&mut self, trouble: Trouble, now_ms: u64) {
+        self.hang_up(now_ms);
+        self.actions.push(Action::Close);
+        self.phase = Phase::Failed(trouble);
+    }
+
+    pub(super) fn disconnect(&mut self, now_ms: u64) {
+        let open = matches!(self.phase, Phase::Waiting { .. } | Phase::Ready | Phase::Running);
+        self.hang_up(now_ms);
+        if open {
+            self.actions.push(Action::Close);
+        }
+        if self.phase != Phase::Absent {
+            self.phase = Phase::Closed;
+        }
+    }
+
+    /// The connection ends: nothing waits any more, the run is kept as far as it was told.
+    pub(super) fn hang_up(&mut self, now_ms: u64) {
+        self.queue.clear();
+        if let Some(pending) = self.pending.take().filter(|pending| pending.job.is_told()) {
+            self.note(News::NoAnswer(pending.job), now_ms);
+        }
+        self.cut_upload();
+        self.cut_run();
+        self.monitor.end_line(Mark::Plain);
+        self.coming = Coming::default();
+        self.kept = Kept::Unknown;
+        self.robot = None;
+        self.placed = Placed::Somewhere;
+        self.millivolts = None;
+    }
+
+    pub(super) fn cut_run(&mut self) {
+        self.starting = None;
+        if let Some(live) = &mut self.live {
+            live.cut(Cut::ConnectionLost);
+        }
+        if self.phase == Phase::Running {
+            self.phase = Phase::Ready;
+        }
+    }
+
+    pub(super) fn cut_upload(&mut self) {
+        if let Some(sending) = self.sending.take() {
+            self.sent = sending.cut();
+            self.unsure = Some(sending);
+        }
+    }
+
+    pub(super) fn change_rate(&mut self, baud: u32, now_ms: u64) {
+        let from = core::mem::replace(&mut self.baud, baud);
+        if let (Phase::Failed(Trouble::NoAnswer { .. }), Some(port)) = (self.phase, self.port) {
+            self.note(News::NextRate { from, to: baud }, now_ms);
+            self.open(port);
+        }
+    }
+}
