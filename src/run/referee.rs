@@ -11,7 +11,7 @@ use crate::explorer::mind::{Costs, Field, Mind, Setup};
 use crate::explorer::name::{About, Memory, Name, Seeks, Stops};
 use crate::explorer::tell::Said;
 use crate::geometry::{Heading, Point};
-use crate::maze::{Bounds, Maze, Start};
+use crate::maze::{Maze, Start};
 use crate::recording::{Recorder, Recording};
 use crate::settings::Settings;
 use crate::world::CannotStart;
@@ -114,37 +114,47 @@ fn drive(maze: &Maze, start: Start, settings: &Settings, name: Name, mut mind: M
     recorder.finish(outcome, mind)
 }
 
-/// Who knows the maze and watches the robot.
-struct Referee {
-    bounds: Bounds,
+/// Who knows the maze and watches the robot. All that it does at a stop takes the same time in any maze.
+struct Referee<'m> {
+    maze: &'m Maze,
     memory: Memory,
-    /// For each place and heading, one more than the last stop there; 0 is never.
+    /// For each place and arrival heading, one more than the last stop there with it; 0 is never.
     before: Vec<[u32; 4]>,
+    /// Where the robot is to map everything, what is known of each place.
+    known: Vec<u8>,
     /// The last stop at a place that was new.
     newest: u32,
-    /// Squares that are still to be visited, where the robot is to map them all.
-    left: Option<usize>,
+    /// Places next to visited ones that were not visited themselves.
+    open: u32,
     /// Whether no way leaves the start.
     stuck: bool,
 }
 
-impl Referee {
-    fn new(maze: &Maze, start: Start, about: &About) -> Self {
-        let bounds = maze.bounds();
-        let left = match (about.seeks, about.stops) {
-            (Seeks::Map, Stops::Square) => {
-                let mut reached = vec![false; bounds.len()];
-                maze.flood(start.at, &mut reached);
-                Some(reached.iter().filter(|&&reached| reached).count())
-            }
-            (Seeks::Map, Stops::Line) | (Seeks::Finish, _) => None,
-        };
+// Numbers, not an enum: memory that comes zeroed costs nothing until it is used, and most runs use little.
+/// Next to a visited place.
+const OPEN: u8 = 1;
+/// Visited.
+const VISITED: u8 = 2;
+
+impl<'m> Referee<'m> {
+    fn new(maze: &'m Maze, start: Start, about: &About) -> Self {
         let watched = match about.memory {
-            Memory::None | Memory::Visited => bounds.len(),
-            Memory::Enough => left.map_or(0, |_| bounds.len()),
+            Memory::None | Memory::Visited => maze.bounds().len(),
+            Memory::Enough => 0,
         };
-        let stuck = maze.ways(start.at).is_empty();
-        Self { bounds, memory: about.memory, before: vec![[0; 4]; watched], newest: 0, left, stuck }
+        let known = match about.seeks {
+            Seeks::Map => vec![0; watched],
+            Seeks::Finish => Vec::new(),
+        };
+        Self {
+            maze,
+            memory: about.memory,
+            before: vec![[0; 4]; watched],
+            known,
+            newest: 0,
+            open: 0,
+            stuck: maze.ways(start.at).is_empty(),
+        }
     }
 
     /// What the robot cannot know: that the run is over at this stop.
@@ -152,22 +162,38 @@ impl Referee {
         if self.stuck {
             return Some(Outcome::Stuck);
         }
-        let place = self.bounds.index(at).and_then(|index| self.before.get_mut(index))?;
-        if *place == [0; 4] {
+        let index = self.maze.bounds().index(at)?;
+        let place = self.before.get_mut(index)?;
+        let new = *place == [0; 4];
+        let before = core::mem::replace(&mut place[usize::from(heading.index())], stop + 1);
+        if new {
             self.newest = stop;
-            if let Some(left) = &mut self.left {
-                *left -= 1;
-                if *left == 0 {
-                    return Some(Outcome::Mapped);
-                }
+            if !self.known.is_empty() && self.visit(index, at) {
+                return Some(Outcome::Mapped);
             }
         }
-        let before = core::mem::replace(&mut place[usize::from(heading.index())], stop + 1).checked_sub(1)?;
+        let before = before.checked_sub(1)?;
         let circling = match self.memory {
             Memory::None => true,
             Memory::Visited => self.newest <= before,
             Memory::Enough => false,
         };
         circling.then_some(Outcome::Circling { first: before, again: stop })
+    }
+
+    /// A place is visited for the first time; whether that was the last one.
+    fn visit(&mut self, index: usize, at: Point) -> bool {
+        let known = core::mem::replace(&mut self.known[index], VISITED);
+        self.open -= u32::from(known == OPEN);
+        for heading in self.maze.ways(at).iter() {
+            let next = self.maze.bounds().index(at.step(heading));
+            if let Some(next) = next.and_then(|next| self.known.get_mut(next))
+                && *next == 0
+            {
+                *next = OPEN;
+                self.open += 1;
+            }
+        }
+        self.open == 0
     }
 }

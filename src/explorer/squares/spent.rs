@@ -80,13 +80,13 @@ impl Spent {
     }
 }
 
-/// The place next to a place, in rows from the north.
+/// The place over an open side of a visited square, in rows from the north. At the field's edge there are walls.
 fn neighbour(field: Field, place: usize, heading: Heading) -> Option<usize> {
     let width = field.width as usize;
     match heading {
         Heading::North => place.checked_sub(width),
-        Heading::East => (place % width + 1 < width).then_some(place + 1),
+        Heading::East => Some(place + 1).filter(|&there| there < field.squares()),
         Heading::South => Some(place + width).filter(|&there| there < field.squares()),
-        Heading::West => (!place.is_multiple_of(width)).then(|| place - 1),
+        Heading::West => place.checked_sub(1),
     }
 }
