@@ -8,6 +8,9 @@ use std::process::{Command, Stdio};
 use expect_test::expect;
 use serde_json::{Value, json};
 
+#[path = "cli/explorers.rs"]
+mod explorers;
+
 /// What a command said.
 struct Said {
     status: i32,
