@@ -9,7 +9,7 @@ use leptos::prelude::*;
 use super::look_up;
 use crate::geometry::Heading;
 use crate::playback::{Command, Mark};
-use crate::trace::{Frame, Row, WayState};
+use crate::trace::{Frame, Moment, Row, WayState};
 use crate::web::browser;
 use crate::web::state::{Lab, lab};
 
@@ -18,9 +18,11 @@ const ROW: f64 = 34.0;
 /// About the height of the head, which stays in sight.
 const HEAD: f64 = 28.0;
 /// Rows that are made beyond those in sight.
-const SPARE: u32 = 3;
+const SPARE: u32 = 4;
+/// What is in sight: pixels from the top, and height.
+type Sight = (f64, f64);
 /// What is in sight at first, in pixels from the top and in height; a short table may grow that high.
-const AT_FIRST: (f64, f64) = (0.0, 280.0);
+const AT_FIRST: Sight = (0.0, 280.0);
 
 /// The card.
 #[component]
@@ -35,6 +37,7 @@ pub fn NodeTable() -> impl IntoView {
         }
     };
     keep_in_sight(lab, scroller, scrolled);
+    let made = made(lab, scrolled);
     view! {
         <section class="card fill nodes-card" aria-labelledby="nodes-title">
             <h2 id="nodes-title">"Node table"<span class="spacer"></span><span class="small">{part(move || remembered(ptr.get() - 1))}</span></h2>
@@ -49,7 +52,7 @@ pub fn NodeTable() -> impl IntoView {
                                 <th scope="col"><Term name="x_cor" />", "<Term name="y_cor" />" ms"</th>
                             </tr></thead>
                             <tbody
-                                inner_html=sig(move || rows(lab, scrolled.get()))
+                                inner_html=sig(move || rows(lab, made.get()))
                                 on:pointerover=pointer(move |event| lab.lit.set(browser::data_number(&event, "data-node")))
                                 on:pointerleave=pointer(move |_| lab.lit.set(None))
                             ></tbody>
@@ -63,15 +66,37 @@ pub fn NodeTable() -> impl IntoView {
     }
 }
 
-/// The rows in sight as markup (numbers and fixed words only): at every stop most of them change.
-fn rows(lab: Lab, (top, height): (f64, f64)) -> String {
+/// The rows that are made, first and last, counted from 0: those in sight, in steps, and some more.
+fn made(lab: Lab, scrolled: RwSignal<Sight>) -> Memo<(u32, u32)> {
+    let sight = Memo::new(move |before: Option<&(Moment, Sight)>| {
+        let (moment, (mut top, height)) = (lab.moment.get(), scrolled.get());
+        // A step scrolls to the node of the moment; who scrolls by hand may go anywhere.
+        if before.is_none_or(|(before, _)| *before != moment) {
+            top = scroll_for(current(lab), (top, height)).unwrap_or(top);
+        }
+        (moment, (top, height))
+    });
+    Memo::new(move |_| {
+        let (_, (top, height)) = sight.get();
+        let first = ((top / ROW) as u32).saturating_sub(SPARE) / SPARE * SPARE;
+        (first, ((top + height.max(AT_FIRST.1)) / ROW) as u32 / SPARE * SPARE + 2 * SPARE)
+    })
+}
+
+/// The node of the moment; 0 if none.
+fn current(lab: Lab) -> u32 {
+    lab.frame.with(|frame| frame.as_ref().map_or(0, |frame| frame.node))
+}
+
+/// The made rows as markup (numbers and fixed words only): at every stop most of them change.
+fn rows(lab: Lab, (first, last): (u32, u32)) -> String {
     let lit = lab.lit.get();
     lab.frame.with(|frame| {
         let Some(frame) = frame else { return String::new() };
         let all = frame.state.ptr - 1;
-        // What is scrolled away from when the table gets shorter is not made either.
-        let last = (((top + height.max(AT_FIRST.1)) / ROW) as u32 + SPARE).min(all);
-        let first = ((top / ROW) as u32).saturating_sub(SPARE).min(last) + 1;
+        // The table may have got shorter than what is in sight.
+        let last = last.min(all);
+        let first = first.min(last) + 1;
         let mut markup = gap(first - 1);
         lab.run.with(|run| {
             let Ok(run) = run else { return };
@@ -142,25 +167,20 @@ fn remembered(nodes: u32) -> String {
 }
 
 /// Where to scroll to so that a node's row is in sight; nowhere if it is.
-fn scroll_for(node: u32, (top, height): (f64, f64)) -> Option<f64> {
-    let row = f64::from(node - 1) * ROW;
+fn scroll_for(node: u32, (top, height): Sight) -> Option<f64> {
+    let row = f64::from(node.checked_sub(1)?) * ROW;
     let in_sight = row >= top && row + ROW + HEAD <= top + height;
     (!in_sight).then(|| (row - height / 2.0).max(0.0))
 }
 
 /// Scrolls the table so that the node of the moment is in sight.
-fn keep_in_sight(lab: Lab, scroller: NodeRef<html::Div>, scrolled: RwSignal<(f64, f64)>) {
+fn keep_in_sight(lab: Lab, scroller: NodeRef<html::Div>, scrolled: RwSignal<Sight>) {
     Effect::new(move |_| {
-        let node = lab.frame.with(|frame| frame.as_ref().map_or(0, |frame| frame.node));
+        let node = current(lab);
         if scroller.get().is_none() || node == 0 {
             return;
         }
-        // The rows that will be in sight are made with the others of this step.
-        let sight = scrolled.get_untracked();
-        if let Some(top) = scroll_for(node, sight) {
-            scrolled.set((top, sight.1));
-        }
-        // Once all views have followed it: to ask for sizes earlier would lay the page out twice.
+        // Once all views have followed the step: to ask for sizes earlier would lay the page out twice.
         request_animation_frame(move || {
             let Some(div) = scroller.try_get_untracked().flatten() else { return };
             let height = f64::from(div.client_height());
@@ -169,8 +189,7 @@ fn keep_in_sight(lab: Lab, scroller: NodeRef<html::Div>, scrolled: RwSignal<(f64
                 div.set_scroll_top(wanted as i32);
                 top = wanted;
             }
-            let (known, _) = scrolled.get_untracked();
-            if (known - top).abs() > ROW {
+            if scrolled.get_untracked() != (top, height) {
                 scrolled.set((top, height));
             }
         });
