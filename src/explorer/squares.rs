@@ -53,12 +53,16 @@ pub struct Squares {
 /// What a search leaves behind; nothing of it is remembered, so a copy begins with none.
 #[derive(Debug, Default)]
 struct Scratch {
-    /// The search that met a square last.
+    /// The search that met a square last, and in the two lowest bits the heading with which it did.
     met: Vec<u32>,
-    /// The heading with which it was met.
-    by: Vec<Heading>,
-    queue: Vec<(Point, u32)>,
+    /// Squares to look at: place and column.
+    queue: Vec<(u32, u32)>,
     search: u32,
+}
+
+/// A square as searches note it: one word, as they look at millions.
+const fn met(search: u32, heading: Heading) -> u32 {
+    search << 2 | heading.index() as u32
 }
 
 impl Clone for Scratch {
@@ -152,18 +156,15 @@ impl Squares {
         aim: Aim<'_>,
         over: Over,
     ) -> Option<Vec<Heading>> {
+        let first = self.place(from)?;
         let Self { field, bytes, spent, scratch } = self;
-        let height = field.height as i32;
-        let place = |at: Point| field.index(Point::new(at.x, height - 1 - at.y));
-        if scratch.met.len() < bytes.len() {
+        if scratch.met.len() < bytes.len() || scratch.search >> 30 != 0 {
+            scratch.met.clear();
             scratch.met.resize(bytes.len(), 0);
-            scratch.by.resize(bytes.len(), Heading::North);
+            scratch.search = 0;
         }
         scratch.search += 1;
-        scratch.queue.clear();
-        let first = place(from)?;
-        scratch.met[first] = scratch.search;
-        scratch.by[first] = heading;
+        let search = scratch.search;
         let meant = |place: usize| match aim {
             Aim::Unvisited => bytes[place] & VISITED == 0,
             Aim::Any(places) => places.contains(&(place as u32)),
@@ -171,36 +172,30 @@ impl Squares {
         if meant(first) {
             return Some(Vec::new());
         }
-        scratch.queue.push((from, first as u32));
+        scratch.met[first] = met(search, heading);
+        scratch.queue.clear();
+        scratch.queue.push((first as u32, from.x as u32));
         let mut next = 0;
-        while let Some(&(at, here)) = scratch.queue.get(next) {
+        while let Some(&(here, x)) = scratch.queue.get(next) {
             next += 1;
             let here = here as usize;
+            let by = Heading::from_index(scratch.met[here] as u8 & 0b11);
             for turn in ORDER {
-                let way = scratch.by[here].turned(turn);
+                let way = by.turned(turn);
                 if bytes[here] & wall(way) != 0 {
                     continue;
                 }
-                let to = at.step(way);
-                let Some(there) = place(to) else { continue };
-                if scratch.met[there] == scratch.search {
+                let Some((there, x)) = beside(*field, here, x, way) else { continue };
+                if scratch.met[there] >> 2 == search {
                     continue;
                 }
-                scratch.met[there] = scratch.search;
-                scratch.by[there] = way;
+                scratch.met[there] = met(search, way);
                 let visited = bytes[there] & VISITED != 0;
                 if meant(there) && (visited || aim == Aim::Unvisited) {
-                    let mut ways = Vec::new();
-                    let mut back = to;
-                    while let Some(place) = place(back).filter(|_| back != from) {
-                        ways.push(scratch.by[place]);
-                        back = back.step(scratch.by[place].opposite());
-                    }
-                    ways.reverse();
-                    return Some(ways);
+                    return Some(ways_back(*field, &scratch.met, there, x, first));
                 }
                 if visited && (over == Over::All || !spent.is(there)) {
-                    scratch.queue.push((to, there as u32));
+                    scratch.queue.push((there as u32, x));
                 }
             }
         }
@@ -220,4 +215,29 @@ impl Squares {
         }
         Some(Plan::Places(places))
     }
+}
+
+/// The square on one side of another, each as its place (in rows from the north) and its column.
+const fn beside(field: Field, place: usize, x: u32, way: Heading) -> Option<(usize, u32)> {
+    let width = field.width as usize;
+    match way {
+        Heading::North if place >= width => Some((place - width, x)),
+        Heading::East if x + 1 < field.width => Some((place + 1, x + 1)),
+        Heading::South if place + width < field.squares() => Some((place + width, x)),
+        Heading::West if x > 0 => Some((place - 1, x - 1)),
+        Heading::North | Heading::East | Heading::South | Heading::West => None,
+    }
+}
+
+/// The headings along which a search came to a square.
+fn ways_back(field: Field, met: &[u32], mut place: usize, mut x: u32, first: usize) -> Vec<Heading> {
+    let mut ways = Vec::new();
+    while place != first {
+        let way = Heading::from_index(met[place] as u8 & 0b11);
+        ways.push(way);
+        let Some(before) = beside(field, place, x, way.opposite()) else { break };
+        (place, x) = before;
+    }
+    ways.reverse();
+    ways
 }
