@@ -13,7 +13,7 @@ use crate::trace::Trace;
 
 /// A run.
 // There are few, and they are seldom moved: a box would only be in the way.
-#[expect(clippy::large_enum_variant)]
+#[allow(clippy::large_enum_variant)]
 #[derive(Clone, Debug)]
 pub enum AnyRun {
     /// Of the book's explorer.
