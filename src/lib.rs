@@ -12,6 +12,7 @@ extern crate alloc;
 extern crate std;
 
 pub mod compare;
+pub mod decimal;
 pub mod event;
 pub mod explorer;
 pub mod geometry;

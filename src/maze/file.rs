@@ -154,7 +154,7 @@ pub fn name(maze: &Maze, extension: &str) -> String {
     let mut name = String::new();
     for c in maze.about.title.chars().take(60) {
         if c.is_alphanumeric() {
-            name.extend(c.to_lowercase());
+            name.push(c.to_ascii_lowercase());
         } else if !name.ends_with('-') && !name.is_empty() {
             name.push('-');
         }

@@ -101,7 +101,7 @@ pub fn listen(lab: Lab) {
 fn press(lab: Lab, event: &KeyboardEvent) -> bool {
     let key = event.key();
     if event.ctrl_key() || event.meta_key() {
-        return with_control(lab, &key.to_lowercase(), event.shift_key());
+        return with_control(lab, &key.to_ascii_lowercase(), event.shift_key());
     }
     if event.alt_key() {
         let new = key.eq_ignore_ascii_case("n");

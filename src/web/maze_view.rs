@@ -1,5 +1,6 @@
 //! Pieces of a maze's picture that Draw and Step share: the frame that pans and zooms, finish, compass, bot.
 
+use crate::decimal::Decimal;
 use crate::web::erase::{mouse, sig};
 use leptos::html;
 use leptos::prelude::*;
@@ -141,7 +142,8 @@ impl Camera {
         let (view, size) = (self.view(), self.size.get());
         let unit = f64::from(UNIT);
         let (w, h) = (size.w / view.scale * unit, size.h / view.scale * unit);
-        format!("{:.2} {:.2} {w:.2} {h:.2}", view.x * unit - w / 2.0, -view.y * unit - h / 2.0)
+        let [x, y] = [view.x * unit - w / 2.0, -view.y * unit - h / 2.0].map(|at| Decimal(at, 2));
+        format!("{x} {y} {} {}", Decimal(w, 2), Decimal(h, 2))
     }
 
     /// Picture units that look like one pixel: for labels and handles that keep their size.
@@ -181,7 +183,7 @@ pub fn finish_mark(at: Point, label: bool, pixel: f64) -> impl IntoView {
 pub fn Label(x: f64, y: f64, pixel: f64, text: &'static str) -> impl IntoView {
     let scale = pixel.clamp(0.35, 3.0);
     view! {
-        <g transform=format!("translate({x:.2} {y:.2}) scale({scale:.3})") aria-hidden="true">
+        <g transform=format!("translate({} {}) scale({})", Decimal(x, 2), Decimal(y, 2), Decimal(scale, 3)) aria-hidden="true">
             <text class="label" y="5">{text}</text>
         </g>
     }
@@ -206,8 +208,8 @@ pub fn Bot(#[prop(into)] pose: Signal<Pose>, #[prop(into)] pixel: Signal<f64>) -
     let transform = move || {
         let (pose, unit) = (pose.get(), f64::from(UNIT));
         let scale = (0.62 * pixel.get()).max(1.25);
-        let (x, y) = (pose.x * unit, -pose.y * unit);
-        format!("translate({x:.2} {y:.2}) rotate({:.2}) scale({scale:.3})", pose.degrees)
+        let [x, y, degrees] = [pose.x * unit, -pose.y * unit, pose.degrees].map(|of| Decimal(of, 2));
+        format!("translate({x} {y}) rotate({degrees}) scale({})", Decimal(scale, 3))
     };
     view! { <g class="bot" transform=transform>{bot_shape()}</g> }
 }

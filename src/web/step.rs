@@ -7,13 +7,15 @@ use super::state::{Dialog, Lab, Room, Round, lab};
 use crate::maze::Kind;
 
 mod code;
+mod errata;
 mod now;
 mod result;
 mod scene;
 mod table;
 pub mod transport;
 
-pub use now::{ErratumNote, Length, Said};
+pub use errata::ErratumNote;
+pub use now::{Length, Said};
 pub use scene::Stage;
 
 /// The room.

@@ -9,6 +9,7 @@ use crate::trace::{Frame, State};
 mod list;
 
 pub use list::ERRATA;
+use list::PLACES;
 
 /// Notes that are shown at one moment, at most.
 pub const AT_ONCE: usize = 2;
@@ -75,17 +76,25 @@ pub enum Walk {
 
 /// The notes that apply at a moment, the most special first; at most [`AT_ONCE`].
 pub fn at(frame: &Frame, walk: Walk) -> impl Iterator<Item = &'static Erratum> {
-    let ranked = move |rank| ERRATA.iter().filter(move |erratum| erratum.rank(frame, walk) == Some(rank));
+    numbers_at(frame, walk).map(|number| &ERRATA[number])
+}
+
+/// Their places in [`ERRATA`].
+pub fn numbers_at(frame: &Frame, walk: Walk) -> impl Iterator<Item = usize> {
+    let ranked = move |wanted| {
+        PLACES
+            .iter()
+            .enumerate()
+            .filter_map(move |(number, places)| (rank(places, frame, walk) == Some(wanted)).then_some(number))
+    };
     (0..RANKS).flat_map(ranked).take(AT_ONCE)
 }
 
 const RANKS: u8 = 4;
 
-impl Erratum {
-    /// How special the note is at this moment: 0 is most; none where it doesn't apply.
-    fn rank(&self, frame: &Frame, walk: Walk) -> Option<u8> {
-        self.places.iter().filter_map(|place| place.rank(frame, walk)).min()
-    }
+/// How special a note is at this moment: 0 is most; none where it doesn't apply.
+fn rank(places: &[Place], frame: &Frame, walk: Walk) -> Option<u8> {
+    places.iter().filter_map(|place| place.rank(frame, walk)).min()
 }
 
 impl Place {

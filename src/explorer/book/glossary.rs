@@ -3,7 +3,7 @@
 mod names;
 mod split;
 
-pub use names::GLOSSARY;
+pub use names::{GLOSSARY, SPELLINGS};
 pub use split::{Token, split};
 
 /// A name and what it means.
@@ -23,6 +23,17 @@ pub struct Entry {
     pub belongs: Belongs,
     /// Where the book has it; empty where it hasn't.
     pub section: &'static str,
+}
+
+/// A name as it is written.
+#[derive(Debug, PartialEq, Eq)]
+pub struct Spelling {
+    /// As the lab writes it.
+    pub name: &'static str,
+    /// Other spellings that the book has for it.
+    pub aliases: &'static [&'static str],
+    /// What it is.
+    pub kind: Kind,
 }
 
 /// What a name is.

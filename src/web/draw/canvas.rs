@@ -34,7 +34,7 @@ pub fn Canvas() -> impl IntoView {
             tabindex="0"
             aria-label=label
             aria-describedby="draw-status"
-            data-tool=sig(move || format!("{:?}", desk.held_tool()).to_lowercase())
+            data-tool=sig(move || format!("{:?}", desk.held_tool()).to_ascii_lowercase())
             class:held=sig(move || held.get())
             on:blur=focus(move |_| {
                 held.set(false);

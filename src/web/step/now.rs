@@ -1,16 +1,14 @@
 //! What just happened: the case, the sentences, the variables, and where the book errs.
 
-use crate::web::erase::{event, focus, mouse, part, pointer, sig};
+use crate::web::erase::{focus, mouse, part, pointer, sig};
 use leptos::prelude::*;
-use wasm_bindgen::JsCast;
 
-use super::look_up;
 use super::result::ResultCard;
-use crate::explorer::book::errata::{self, Erratum, Kind};
+use super::{errata, look_up};
 use crate::explorer::book::narrate::{Narration, Span, Tone, narrate};
 use crate::geometry::Turn;
 use crate::trace::{Frame, State};
-use crate::web::state::{Dialog, Lab, Round, lab};
+use crate::web::state::{Lab, Round, lab};
 
 /// What is told at the moment that is shown.
 fn narration(lab: Lab) -> Option<Narration> {
@@ -132,75 +130,8 @@ pub fn NowCard() -> impl IntoView {
                 <Said length=Length::Full />
             </div>
             {part(move || at_finish.get().then(|| view! { <ResultCard /> }))}
-            {part(move || (lab.round.get() == Round::Explore).then(|| view! { <Variables /> <Errata /> }))}
+            {part(move || (lab.round.get() == Round::Explore).then(|| view! { <Variables /> <errata::Errata /> }))}
         </section>
-    }
-}
-
-/// Notes at the stops and lines where the book errs.
-#[component]
-fn Errata() -> impl IntoView {
-    let lab = lab();
-    let notes = Memo::new(move |_| {
-        lab.run.with(|run| {
-            let Ok(run) = run else { return Vec::new() };
-            lab.frame.with(|frame| {
-                frame
-                    .as_ref()
-                    .map_or_else(Vec::new, |frame| errata::at(frame, run.walk).map(Noted).collect::<Vec<_>>())
-            })
-        })
-    });
-    let titles =
-        move || notes.with(|notes| notes.iter().map(|note| note.0.title).collect::<Vec<_>>().join(" · "));
-    let open = RwSignal::new(false);
-    part(move || {
-        notes.with(|notes| !notes.is_empty()).then(|| view! {
-        <details class="errata-notes" prop:open=open.get_untracked() on:toggle=event(move |event| {
-            open.set(event.target().is_some_and(|details| details.unchecked_into::<web_sys::Element>().has_attribute("open")));
-        })>
-            <summary>
-                <span class="mark info">{crate::web::icons::book()}</span>
-                <span>{titles}</span>
-            </summary>
-            {part(move || notes.get().into_iter().map(|note| view! { <ErratumNote erratum=note.0 /> }).collect_view())}
-            <div class="row"><button class="btn" on:click=mouse(move |_| lab.dialog.set(Some(Dialog::Errata)))>"All errata"</button></div>
-        </details>
-    })
-    })
-}
-
-/// An erratum, the same as itself.
-#[derive(Clone, Copy)]
-struct Noted(&'static Erratum);
-
-impl PartialEq for Noted {
-    fn eq(&self, other: &Self) -> bool {
-        std::ptr::eq(self.0, other.0)
-    }
-}
-
-/// One note.
-#[component]
-pub fn ErratumNote(erratum: &'static Erratum) -> impl IntoView {
-    let slip = |printed: &'static str, meant: &'static str| {
-        view! {
-            <dl class="slip">
-                <div><dt>"printed"</dt><dd><del>{printed}</del></dd></div>
-                <div><dt>"meant"</dt><dd><ins>{meant}</ins></dd></div>
-            </dl>
-        }
-    };
-    view! {
-        <div class="note errata">
-            <span class="mark info">{crate::web::icons::book()}</span>
-            <div>
-                <p class="small">{match erratum.kind { Kind::Slip => "The book slips here", Kind::Open => "The book leaves this open" }}</p>
-                <p><b>{erratum.title}</b></p>
-                <p class="small">{erratum.section}": "{erratum.text}</p>
-                {erratum.printed.zip(erratum.meant).map(|(printed, meant)| slip(printed, meant))}
-            </div>
-        </div>
     }
 }
 

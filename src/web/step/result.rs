@@ -1,5 +1,6 @@
 //! The end of a run: the turn list, how good its route is, and round 2.
 
+use crate::decimal::Decimal;
 use crate::web::erase::{mouse, part, sig};
 use leptos::prelude::*;
 
@@ -116,7 +117,7 @@ fn Facts() -> impl IntoView {
                 <dl class="facts">
                     {fact("Route", run.route_cells()?.to_string(), "cells".into())}
                     {fact("Shortest", run.shortest?.to_string(), "cells".into())}
-                    {fact("Ratio", format!("{ratio:.2}"), judged)}
+                    {fact("Ratio", format!("{:#}", Decimal(ratio, 2)), judged)}
                     {fact("Exploration", run.cells(stops).to_string(), "cells".into())}
                     {fact("Stops", stops.to_string(), String::new())}
                 </dl>

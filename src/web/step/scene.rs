@@ -1,5 +1,6 @@
 //! The maze while a run goes on: line, trails, nodes, bot.
 
+use crate::decimal::Decimal;
 use crate::web::erase::{part, pointer, sig, wheel};
 use leptos::html;
 use leptos::prelude::*;
@@ -186,8 +187,13 @@ fn Driving() -> impl IntoView {
         with_run(lab, |run| {
             let pose = scene::pose(&run.trace, &run.ink, stop, along);
             let (from, unit) = (run.ink.place(stop), f64::from(UNIT));
-            let data =
-                format!("M{} {}L{:.1} {:.1}", from.x * UNIT, -from.y * UNIT, pose.x * unit, -pose.y * unit);
+            let data = format!(
+                "M{} {}L{} {}",
+                from.x * UNIT,
+                -from.y * UNIT,
+                Decimal(pose.x * unit, 1),
+                Decimal(-pose.y * unit, 1)
+            );
             (data, run.trace.state(stop).returning)
         })
     });

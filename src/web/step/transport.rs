@@ -1,5 +1,6 @@
 //! Time: the buttons, the scrubber with its event markers, the counter, and what a step is.
 
+use crate::decimal::Decimal;
 use crate::web::erase::{event, mouse, part, pointer, sig};
 use leptos::html;
 use leptos::prelude::*;
@@ -95,7 +96,7 @@ fn Scrubber() -> impl IntoView {
     let dragging = RwSignal::new(false);
     let count = Memo::new(move |_| stops(lab));
     let at = move || lab.playing().with(|playback| f64::from(playback.moment().stop) + playback.along());
-    let percent = move |stop: f64| format!("{:.3}%", stop / f64::from(count.get().max(1)) * 100.0);
+    let percent = move |stop: f64| format!("{}%", Decimal(stop / f64::from(count.get().max(1)) * 100.0, 3));
     let stop_under = move |event: &web_sys::PointerEvent| {
         let rect = track.get_untracked()?.get_bounding_client_rect();
         let share = ((f64::from(event.client_x()) - rect.left()) / rect.width().max(1.0)).clamp(0.0, 1.0);
@@ -138,7 +139,7 @@ fn Scrubber() -> impl IntoView {
                 <Markers count=count />
                 <div class="thumb" style:left=sig(move || percent(at()))></div>
                 {part(move || hover.get().map(|(stop, left)| view! {
-                    <div class="tip" style:left=format!("{left:.2}%") aria-hidden="true">{said(lab, stop)}</div>
+                    <div class="tip" style:left=format!("{}%", Decimal(left, 2)) aria-hidden="true">{said(lab, stop)}</div>
                 }))}
             </div>
         </div>
@@ -194,7 +195,7 @@ fn Markers(count: Memo<u32>) -> impl IntoView {
 }
 
 fn marker(mark: Mark, at: f64) -> impl IntoView {
-    let at = format!("{at:.3}%");
+    let at = format!("{}%", Decimal(at, 3));
     match mark {
         Mark::Plain => ().into_any(),
         Mark::Node => view! {
@@ -281,13 +282,13 @@ fn SpeedPicker() -> impl IntoView {
     let choose = move |event: web_sys::Event| {
         browser::let_go(&event);
         let value = event_target_value(&event);
-        if let Some(speed) = SPEEDS.into_iter().find(|speed| speed.to_string() == value) {
+        if let Some(speed) = SPEEDS.into_iter().find(|&speed| Decimal(speed, 1).to_string() == value) {
             lab.play(Command::Speed(speed));
         }
     };
     view! {
-        <select class="input" aria-label="Speed" title="Speed; 1× is the robot’s own pace" on:change=event(choose) prop:value=sig(move || lab.playing().with(|playback| playback.speed().to_string()))>
-            {SPEEDS.map(|speed| view! { <option value=speed.to_string()>{format!("{speed}×")}</option> }).into_iter().collect_view()}
+        <select class="input" aria-label="Speed" title="Speed; 1× is the robot’s own pace" on:change=event(choose) prop:value=sig(move || lab.playing().with(|playback| Decimal(playback.speed(), 1).to_string()))>
+            {SPEEDS.map(|speed| view! { <option value=Decimal(speed, 1).to_string()>{format!("{}×", Decimal(speed, 1))}</option> }).into_iter().collect_view()}
         </select>
     }
 }

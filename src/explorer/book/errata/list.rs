@@ -20,7 +20,20 @@ impl Erratum {
 }
 
 /// All of them.
-pub static ERRATA: &[Erratum] = &[
+pub static ERRATA: &[Erratum] = NOTES;
+
+/// Where each of them applies: what has to be known to tell that there is a note, without the notes.
+pub(super) static PLACES: [&[Place]; NOTES.len()] = {
+    let mut places: [&[Place]; NOTES.len()] = [&[]; NOTES.len()];
+    let mut i = 0;
+    while i < NOTES.len() {
+        places[i] = NOTES[i].places;
+        i += 1;
+    }
+    places
+};
+
+const NOTES: &[Erratum] = &[
     note(Open, "§2.3", "Turning is not driving", &[Place::Line(Line::GET)]).says(
         "prev_time has to be taken again when the bot drives off after a turn. \
          Otherwise the time of the turn counts as distance, and every coordinate behind it is wrong.",

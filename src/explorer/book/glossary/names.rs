@@ -1,6 +1,6 @@
 //! The names themselves, in the order of the book's tables, ours last.
 
-use super::{Belongs, Entry, Kind};
+use super::{Belongs, Entry, Kind, Spelling};
 
 macro_rules! glossary {
     ($($kind:ident $belongs:ident $section:literal {
@@ -15,6 +15,13 @@ macro_rules! glossary {
             seen: $seen,
             belongs: Belongs::$belongs,
             section: $section,
+        }),*),*];
+
+        /// The same names without their meanings, for those who only have to know them.
+        pub static SPELLINGS: &[Spelling] = &[$($(Spelling {
+            name: stringify!($name),
+            aliases: &[$($($alias),*)?],
+            kind: Kind::$kind,
         }),*),*];
     };
 }

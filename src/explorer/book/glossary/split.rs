@@ -1,14 +1,14 @@
 //! A line of the pseudo-code in pieces: what is bold, what is a link to the glossary, and the rest.
 
-use super::{Entry, Kind, entry};
+use super::{Kind, SPELLINGS, Spelling};
 
 /// A piece of a line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Token<'a> {
     /// `if`, `else`, `return`, `not`, `true` or `false`.
     Keyword(&'a str),
-    /// A name, and its entry.
-    Name(&'a str, &'static Entry),
+    /// A name, and how the glossary writes it.
+    Name(&'a str, &'static Spelling),
     /// From `#` to the end.
     Comment(&'a str),
     /// Everything else.
@@ -84,6 +84,9 @@ fn token<'a>(tail: &'a str, word: &'a str) -> Option<Token<'a>> {
         return Some(Token::Keyword(word));
     }
     let called = tail[word.len()..].starts_with('(');
-    let entry = entry(word).filter(|entry| (entry.kind == Kind::Function) == called)?;
-    Some(Token::Name(word, entry))
+    let spelling = SPELLINGS
+        .iter()
+        .find(|spelling| spelling.name == word || spelling.aliases.contains(&word))
+        .filter(|spelling| (spelling.kind == Kind::Function) == called)?;
+    Some(Token::Name(word, spelling))
 }
