@@ -195,7 +195,7 @@ async fn the_result_is_told_and_driven() -> Result<()> {
         page.wait_for_text("#said", "FINISH").await?;
         assert_eq!(page.text("#said p").await?, "There: 9 cells, no U-turn, no dead end.");
         let bot = page.attribute(".bot", "transform").await?;
-        assert!(bot.starts_with("translate(240.00 -320.00)"), "{bot}");
+        assert!(bot.starts_with("translate(240 -320)"), "{bot}");
         page.screenshot("solved-run").await?;
         page.click("Back to the exploration").await?;
         shows_stop(page, STOPS).await
