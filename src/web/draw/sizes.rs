@@ -1,12 +1,12 @@
 //! A new, empty maze, and another size for the one that is there.
 
-use crate::web::erase::{sig, submit};
+use crate::web::erase::{mouse, sig, submit};
 use leptos::prelude::*;
 
 use super::desk::{many, say_done};
 use crate::geometry::Point;
 use crate::maze::edit::Edit;
-use crate::maze::{Bounds, MAX_SIDE, Maze};
+use crate::maze::{Bounds, Kind, MAX_SIDE, Maze};
 use crate::web::dialogs::settings::NumberField;
 use crate::web::dialogs::{Modal, Width};
 use crate::web::state::lab;
@@ -20,12 +20,13 @@ const SIDE_HINT: &str = "A whole number from 2 to 1000";
 pub fn New() -> impl IntoView {
     let lab = lab();
     let size = RwSignal::new((16_u32, 10_u32));
+    let kind = RwSignal::new(Kind::Line);
     let make = move |event: web_sys::SubmitEvent| {
         event.prevent_default();
         let (width, height) = size.get_untracked();
         let ne = Point::new(width.cast_signed() - 1, height.cast_signed() - 1);
         if let Ok(bounds) = Bounds::new(Point::new(0, 0), ne) {
-            lab.open(Maze::new(bounds));
+            lab.open(Maze::blank(bounds, kind.get_untracked()));
             lab.dialog.set(None);
             say_done(lab, "A new maze is open.".to_owned());
         }
@@ -34,13 +35,30 @@ pub fn New() -> impl IntoView {
         <Modal title="New maze" width=Width::Narrow>
             <form class="stack" on:submit=submit(make) novalidate>
                 <div class="pair">
-                    <Side id="new-width" label="Width, points" value=Signal::derive(move || size.get().0) set=move |w| size.update(|size| size.0 = w) />
-                    <Side id="new-height" label="Height, points" value=Signal::derive(move || size.get().1) set=move |h| size.update(|size| size.1 = h) />
+                    <Side id="new-width" label="Width" value=Signal::derive(move || size.get().0) set=move |w| size.update(|size| size.0 = w) />
+                    <Side id="new-height" label="Height" value=Signal::derive(move || size.get().1) set=move |h| size.update(|size| size.1 = h) />
                 </div>
+                <KindChoice kind=Signal::derive(move || kind.get()) set=move |of| kind.set(of) />
                 <p class="small">"The maze that is open now comes back with Undo."</p>
                 <div class="row"><button class="btn primary" type="submit">"Begin"</button></div>
             </form>
         </Modal>
+    }
+}
+
+/// Lines or walls.
+#[component]
+pub fn KindChoice(#[prop(into)] kind: Signal<Kind>, set: impl Fn(Kind) + Copy + 'static) -> impl IntoView {
+    let choice = move |of: Kind, name: &'static str| {
+        view! {
+            <button type="button" aria-pressed=sig(move || (kind.get() == of).to_string()) on:click=mouse(move |_| set(of))>{name}</button>
+        }
+    };
+    view! {
+        <div class="field">
+            <span>"Drawn as"</span>
+            <div class="seg wide" role="group" aria-label="Drawn as">{choice(Kind::Line, "Lines")}{choice(Kind::Wall, "Walls")}</div>
+        </div>
     }
 }
 
