@@ -52,7 +52,7 @@ pub fn Generator() -> impl IntoView {
                 <Numbers recipe=recipe />
                 <Shares recipe=recipe />
                 <div class="wide">
-                    <KindChoice kind=Signal::derive(move || recipe.get().kind) set=move |kind| recipe.update(|recipe| recipe.kind = kind) />
+                    <KindChoice id="gen-kind" kind=Signal::derive(move || recipe.get().kind) set=move |kind| recipe.update(|recipe| recipe.kind = kind) />
                 </div>
                 <div class="wide preview">
                     {part(move || match made.get() {

@@ -36,7 +36,7 @@ pub fn Floor() -> impl IntoView {
                 <NumberField id="line-mm" label="Line, mm" value=Signal::derive(move || scale.get().line_mm().to_string())
                     hint="0.1 mm to the length of a cell"
                     read=move |text: &str| Scale::new(now().cell_mm(), number(text)?).ok() set=set />
-                <KindChoice kind=kind set=move |of| { lab.edit(Edit::Kind(of)); } />
+                <KindChoice id="drawn-as" kind=kind set=move |of| { lab.edit(Edit::Kind(of)); } />
                 <div class="field">
                     <span>"Start"</span>
                     <button class="btn" title="Turn the start clockwise (T)" disabled=sig(move || !has_start.get()) on:click=mouse(move |_| desk.turn_start())>

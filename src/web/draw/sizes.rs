@@ -38,7 +38,7 @@ pub fn New() -> impl IntoView {
                     <Side id="new-width" label="Width" value=Signal::derive(move || size.get().0) set=move |w| size.update(|size| size.0 = w) />
                     <Side id="new-height" label="Height" value=Signal::derive(move || size.get().1) set=move |h| size.update(|size| size.1 = h) />
                 </div>
-                <KindChoice kind=Signal::derive(move || kind.get()) set=move |of| kind.set(of) />
+                <KindChoice id="new-kind" kind=Signal::derive(move || kind.get()) set=move |of| kind.set(of) />
                 <p class="small">"The maze that is open now comes back with Undo."</p>
                 <div class="row"><button class="btn primary" type="submit">"Begin"</button></div>
             </form>
@@ -48,7 +48,11 @@ pub fn New() -> impl IntoView {
 
 /// Lines or walls.
 #[component]
-pub fn KindChoice(#[prop(into)] kind: Signal<Kind>, set: impl Fn(Kind) + Copy + 'static) -> impl IntoView {
+pub fn KindChoice(
+    id: &'static str,
+    #[prop(into)] kind: Signal<Kind>,
+    set: impl Fn(Kind) + Copy + 'static,
+) -> impl IntoView {
     let choice = move |of: Kind, name: &'static str| {
         view! {
             <button type="button" aria-pressed=sig(move || (kind.get() == of).to_string()) on:click=mouse(move |_| set(of))>{name}</button>
@@ -57,7 +61,7 @@ pub fn KindChoice(#[prop(into)] kind: Signal<Kind>, set: impl Fn(Kind) + Copy + 
     view! {
         <div class="field">
             <span>"Drawn as"</span>
-            <div class="seg wide" role="group" aria-label="Drawn as">{choice(Kind::Line, "Lines")}{choice(Kind::Wall, "Walls")}</div>
+            <div class="seg wide" id=id role="group" aria-label="Drawn as">{choice(Kind::Line, "Lines")}{choice(Kind::Wall, "Walls")}</div>
         </div>
     }
 }
