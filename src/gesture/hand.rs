@@ -4,7 +4,7 @@ use alloc::vec;
 use alloc::vec::Vec;
 
 use super::place::{self, nearest_point, nearest_post};
-use super::trail::{Paper, extend, is_near};
+use super::trail::{NEAR_POINT, Paper, extend, is_near};
 use super::{Button, Doing, Finishing, Motion, Press, Spot, Tool};
 use crate::geometry::{Heading, Point};
 use crate::maze::edit::{Edit, stroke, walls};
@@ -137,7 +137,7 @@ impl Hand {
             Doing::Nothing | Doing::Pinch | Doing::LetGo => {}
             Doing::Pan => return Motion::Pan(spot.pixel.0 - before.pixel.0, spot.pixel.1 - before.pixel.1),
             Doing::Line(path) => {
-                if is_near(spot.place, at, (maze.bounds().sw(), maze.bounds().ne())) {
+                if is_near(spot.place, at, (maze.bounds().sw(), maze.bounds().ne()), NEAR_POINT) {
                     extend(path, at);
                 }
             }
@@ -145,6 +145,9 @@ impl Hand {
                 let post = nearest_post(maze, spot.place);
                 if place::is_near_post(maze, spot.place, post) {
                     extend(path, post);
+                    if path.len() > 1 {
+                        self.tap = None;
+                    }
                 }
             }
             Doing::Erase(cells) => Paper::Lines(maze).pass(cells, before.place, spot.place),

@@ -1,6 +1,6 @@
 //! Places between lattice points: which point, which cell, which line is the nearest.
 
-use super::trail::is_near;
+use super::trail::{NEAR_POST, is_near};
 use crate::geometry::{Heading, Point, Ways};
 use crate::maze::Maze;
 
@@ -33,7 +33,7 @@ pub(super) fn nearest_post(maze: &Maze, (x, y): (f64, f64)) -> Point {
 
 /// Whether the place is near enough to the post.
 pub(super) fn is_near_post(maze: &Maze, (x, y): (f64, f64), post: Point) -> bool {
-    is_near((x + 0.5, y + 0.5), post, posts(maze))
+    is_near((x + 0.5, y + 0.5), post, posts(maze), NEAR_POST)
 }
 
 /// The outermost posts.

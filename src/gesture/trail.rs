@@ -8,7 +8,9 @@ use crate::maze::edit::stroke;
 use crate::maze::{Maze, walls};
 
 /// A pointer counts for a lattice point within this distance, so that a slip between two rows draws nothing.
-const NEAR_POINT: f64 = 0.45;
+pub(super) const NEAR_POINT: f64 = 0.45;
+/// And for a post: one may press the wall between two with a trembling hand.
+pub(super) const NEAR_POST: f64 = 0.36;
 /// And for a cell of line, or a wall.
 const NEAR_CELL: f64 = 0.4;
 /// So near to a lattice point a moving eraser waits: it may only cross the lines there.
@@ -68,10 +70,10 @@ impl Paper<'_> {
 }
 
 /// Whether the place is near enough to one of the points between two corners; beyond them the nearest counts.
-pub(super) fn is_near((x, y): (f64, f64), at: Point, (sw, ne): (Point, Point)) -> bool {
+pub(super) fn is_near((x, y): (f64, f64), at: Point, (sw, ne): (Point, Point), within: f64) -> bool {
     let inside = |v: f64, low: i32, high: i32| v.clamp(f64::from(low), f64::from(high));
     let place = (inside(x, sw.x, ne.x), inside(y, sw.y, ne.y));
-    squared(place, (f64::from(at.x), f64::from(at.y))) <= NEAR_POINT * NEAR_POINT
+    squared(place, (f64::from(at.x), f64::from(at.y))) <= within * within
 }
 
 /// Goes on to a point; going back over the last cell takes it back.

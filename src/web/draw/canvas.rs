@@ -82,8 +82,10 @@ fn press(desk: Desk, event: &PointerEvent) {
     // Neither autoscroll nor selection nor a mouse event made of a touch.
     event.prevent_default();
     let adds = event.shift_key() || event.ctrl_key() || event.meta_key();
-    let pixel = untrack(|| desk.camera.pixel());
+    let (pixel, kind) = untrack(|| (desk.camera.pixel(), desk.kind()));
     let cells = |pixels: f64| pixels * pixel / f64::from(UNIT);
+    // The wall before the start is no part of the handle.
+    let most = if kind == Kind::Wall { 0.17 } else { f64::INFINITY };
     let press = Press {
         id: event.pointer_id(),
         button,
@@ -91,8 +93,8 @@ fn press(desk: Desk, event: &PointerEvent) {
         tool: untrack(|| desk.held_tool()),
         finishing: if adds { Finishing::Further } else { desk.finishing.get_untracked() },
         handle: Handle {
-            arm: HANDLE_ARM * untrack(|| marker_scale(desk.kind(), pixel)) / f64::from(UNIT),
-            reach: cells(if touch { 22.0 } else { 15.0 }),
+            arm: HANDLE_ARM * marker_scale(kind, pixel) / f64::from(UNIT),
+            reach: cells(if touch { 22.0 } else { 15.0 }).min(most),
         },
     };
     desk.by_keyboard.set(false);

@@ -103,15 +103,19 @@ impl Growth {
 #[component]
 pub fn Resize() -> impl IntoView {
     let lab = lab();
-    let before = lab.maze.with_untracked(|maze| maze.bounds());
+    let (before, kind) = lab.maze.with_untracked(|maze| (maze.bounds(), maze.kind));
+    let places = match kind {
+        Kind::Line => "points",
+        Kind::Wall => "squares",
+    };
     let growth = RwSignal::new(Growth::default());
     let after = Memo::new(move |_| growth.get().applied(before));
     let size = move || {
         after.get().map_or_else(
-            || format!("A maze has 2 to {MAX_SIDE} points along a side."),
+            || format!("A maze has 2 to {MAX_SIDE} {places} along a side."),
             |after| {
                 format!(
-                    "{} × {} points become {} × {}.",
+                    "{} × {} {places} become {} × {}.",
                     before.width(),
                     before.height(),
                     after.width(),
@@ -126,7 +130,7 @@ pub fn Resize() -> impl IntoView {
         let Some(after) = after.get_untracked() else { return };
         lab.dialog.set(None);
         if lab.edit(Edit::Bounds(after)) {
-            say_done(lab, format!("The maze has {} × {} points now.", after.width(), after.height()));
+            say_done(lab, format!("The maze has {} × {} {places} now.", after.width(), after.height()));
         }
     };
     let width =
@@ -141,12 +145,12 @@ pub fn Resize() -> impl IntoView {
         <Modal title="Resize" width=Width::Narrow>
             <form class="stack" on:submit=submit(apply) novalidate>
                 <div class="pair">
-                    <Side id="resize-width" label="Width, points" value=width
+                    <Side id="resize-width" label="Width" value=width
                         set=move |w| growth.update(|g| g.east = w.cast_signed() - before.width().cast_signed() - g.west) />
-                    <Side id="resize-height" label="Height, points" value=height
+                    <Side id="resize-height" label="Height" value=height
                         set=move |h| growth.update(|g| g.north = h.cast_signed() - before.height().cast_signed() - g.south) />
                 </div>
-                <p class="small">"Or say for each side how many points to add; a number below 0 cuts them off."</p>
+                <p class="small">"Or say for each side how many rows or columns to add; a number below 0 cuts them off."</p>
                 <div class="pair">
                     <Edge id="grow-west" label="West" value=grown(|g| &mut g.west) set=grow(|g| &mut g.west) />
                     <Edge id="grow-east" label="East" value=grown(|g| &mut g.east) set=grow(|g| &mut g.east) />
@@ -183,7 +187,7 @@ fn cut_off(maze: &Maze, after: Bounds) -> String {
     let start = maze.start().is_some_and(|start| !after.contains(start.at));
     let finish = maze.finish().iter().any(|&at| !after.contains(at));
     let lost: Vec<String> = [
-        (cells > 0).then(|| many(cells, "cell")),
+        (cells > 0).then(|| many(cells, if maze.kind == Kind::Wall { "opening" } else { "cell" })),
         start.then(|| "the start".to_owned()),
         finish.then(|| "the finish".to_owned()),
     ]
