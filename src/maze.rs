@@ -178,6 +178,21 @@ impl Maze {
         fits
     }
 
+    /// A maze to begin with: no lines yet, or, of walls, only the outer ones, and a mouse in the south-west corner
+    /// as the contests have it.
+    #[must_use]
+    pub fn blank(bounds: Bounds, kind: Kind) -> Self {
+        let mut maze = Self::new(bounds);
+        maze.kind = kind;
+        if kind == Kind::Wall {
+            for (at, heading) in bounds.points().flat_map(|at| [(at, Heading::North), (at, Heading::East)]) {
+                maze.draw(at, heading);
+            }
+            maze.set_start(Some(Start { at: bounds.sw(), heading: Heading::North }));
+        }
+        maze
+    }
+
     /// The same maze on another lattice: what does not fit is cut off.
     #[must_use]
     pub fn resized(&self, bounds: Bounds) -> Self {

@@ -1,6 +1,7 @@
 //! Places between lattice points: which point, which cell, which line is the nearest.
 
-use crate::geometry::{Heading, Point};
+use super::trail::{NEAR_POST, is_near};
+use crate::geometry::{Heading, Point, Ways};
 use crate::maze::Maze;
 
 /// The lattice point nearest to a place.
@@ -21,13 +22,49 @@ pub fn nearest_cell((x, y): (f64, f64)) -> ((Point, Heading), f64) {
     }
 }
 
-/// The cell of line nearest to a place, within a distance in cells; by its southern or western end.
+/// The post of a walled maze nearest to a place: half a cell south-west of the square with its name. Beyond the
+/// outer wall the nearest post there counts.
 #[must_use]
-pub fn nearest_line(maze: &Maze, place: (f64, f64), within: f64) -> Option<(Point, Heading)> {
+pub(super) fn nearest_post(maze: &Maze, (x, y): (f64, f64)) -> Point {
+    let (sw, ne) = posts(maze);
+    let at = nearest_point((x + 0.5, y + 0.5));
+    Point::new(at.x.clamp(sw.x, ne.x), at.y.clamp(sw.y, ne.y))
+}
+
+/// Whether the place is near enough to the post.
+pub(super) fn is_near_post(maze: &Maze, (x, y): (f64, f64), post: Point) -> bool {
+    is_near((x + 0.5, y + 0.5), post, posts(maze), NEAR_POST)
+}
+
+/// The outermost posts.
+fn posts(maze: &Maze) -> (Point, Point) {
+    let (sw, ne) = (maze.bounds().sw(), maze.bounds().ne());
+    (sw, ne.step(Heading::North).step(Heading::East))
+}
+
+/// Whether a place is on this side of a square, and not at one of its posts.
+pub(super) fn is_on_side((x, y): (f64, f64), square: Point, side: Heading) -> bool {
+    /// How far from the wall, and from the wall's middle, in cells.
+    const NEAR: (f64, f64) = (0.22, 0.34);
+    let (east, north) = ((x - f64::from(square.x)).abs(), (y - f64::from(square.y)).abs());
+    let (out, along) = match side {
+        Heading::East | Heading::West => (east, north),
+        Heading::North | Heading::South => (north, east),
+    };
+    0.5 - out <= NEAR.0 && along <= NEAR.1
+}
+
+/// The cell nearest to a place among those that `ways` knows of, within a distance in cells; by its southern or
+/// western end.
+pub(super) fn nearest_among(
+    ways: impl Fn(Point) -> Ways,
+    place: (f64, f64),
+    within: f64,
+) -> Option<(Point, Heading)> {
     let at = nearest_point(place);
     let mut nearest = None;
     let mut least = within * within;
-    for heading in maze.ways(at).iter() {
+    for heading in ways(at).iter() {
         let far = from_cell(place, at, heading);
         if far <= least {
             least = far;

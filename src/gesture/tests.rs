@@ -59,6 +59,40 @@ fn the_eraser_takes_what_it_passes_and_spares_what_it_crosses() {
     assert_eq!(drawn(&maze, &beside, &[]).cells(), 4);
 }
 
+/// Four squares in a block, all closed.
+const SQUARES: &str = "kind: wall\n\n.   .\n\n.   .\n";
+
+#[test]
+fn walls_are_opened_where_an_eraser_passes_and_built_from_post_to_post() {
+    let closed = maze(SQUARES);
+    let open = press(1, Button::Second, Tool::Line, 0.5, 0.1);
+    // Down the wall in the middle; the post and the outer wall stay.
+    let halves = drawn(&closed, &open, &[(0.5, 0.9), (0.5, 1.6)]);
+    assert_eq!(halves.cells(), 2);
+    assert!(halves.has_line(Point::new(0, 1), Heading::East));
+    let all = drawn(&halves, &press(1, Button::Main, Tool::Erase, -0.2, 0.5), &[(1.2, 0.5)]);
+    assert_eq!(all.cells(), 4);
+    let build = press(1, Button::Finger, Tool::Line, 0.5, -0.4);
+    assert_eq!(drawn(&all, &build, &[(0.5, 0.5)]).cells(), 3);
+    assert_eq!(drawn(&all, &build, &[(0.5, 0.6), (1.4, 0.5)]).cells(), 2);
+    // Back to the first post, and nothing is built; beyond the outer wall its posts count.
+    assert_eq!(drawn(&all, &build, &[(0.5, 0.6), (0.5, -0.4)]).cells(), 4);
+    assert_eq!(drawn(&all, &build, &[(0.5, 7.0)]).cells(), 2);
+}
+
+#[test]
+fn a_press_on_a_wall_toggles_it() {
+    let closed = maze(SQUARES);
+    let tap = |x, y| press(1, Button::Main, Tool::Line, x, y);
+    let open = drawn(&closed, &tap(0.45, 0.1), &[]);
+    assert!(open.has_line(Point::new(0, 0), Heading::East));
+    assert_eq!(drawn(&open, &tap(0.6, -0.1), &[]).cells(), 0);
+    // Nothing at a post, in the middle of a square, and at the outer wall.
+    for (x, y) in [(0.5, 0.5), (0.0, 0.05), (-0.5, 0.0)] {
+        assert_eq!(drawn(&closed, &tap(x, y), &[]).cells(), 0, "{x}, {y}");
+    }
+}
+
 #[test]
 fn a_start_on_a_lines_end_faces_along_it_and_its_handle_turns_it() {
     let maze = maze(FORK);

@@ -6,7 +6,8 @@
 use alloc::vec::Vec;
 
 use super::Maze;
-use crate::geometry::{Heading, Point};
+use super::edit::walls::side;
+use crate::geometry::{Heading, Point, Ways};
 
 /// A straight wall between two posts, as long as it goes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -58,6 +59,26 @@ fn join(
         }
     }
     runs.extend(open);
+}
+
+/// The walls at a post that can be opened: all but the outer wall.
+///
+/// ```
+/// use line_maze_lab::geometry::Point;
+/// use line_maze_lab::maze::{Bounds, Maze, walls};
+/// let four = Maze::new(Bounds::new(Point::new(0, 0), Point::new(1, 1))?);
+/// assert_eq!(walls::ways(&four, Point::new(1, 1)).count(), 4);
+/// assert_eq!(walls::ways(&four, Point::new(1, 0)).count(), 1);
+/// # Ok::<(), line_maze_lab::maze::BoundsError>(())
+/// ```
+#[must_use]
+pub fn ways(maze: &Maze, post: Point) -> Ways {
+    let bounds = maze.bounds();
+    let stands = |&along: &Heading| {
+        let (square, side) = side((post, along));
+        bounds.contains(square) && bounds.contains(square.step(side)) && !maze.has_line(square, side)
+    };
+    Heading::ALL.into_iter().filter(stands).collect()
 }
 
 /// The posts that no wall touches, row by row from the south.

@@ -10,7 +10,7 @@ use wasm_bindgen::prelude::*;
 use super::paths::UNIT;
 use super::viewport::{Size, Viewport};
 use crate::geometry::{Heading, Point};
-use crate::maze::Bounds;
+use crate::maze::{Bounds, Kind};
 use crate::scene::Pose;
 
 #[wasm_bindgen]
@@ -170,12 +170,25 @@ pub fn ZoomButtons(camera: Camera) -> impl IntoView {
 }
 
 /// A finish point.
-pub fn finish_mark(at: Point, label: bool, pixel: f64) -> impl IntoView {
+pub fn finish_mark(at: Point, kind: Kind, label: bool, pixel: f64) -> impl IntoView {
     let (x, y) = (at.x * UNIT, -at.y * UNIT);
+    let beside = (f64::from(x) + 24.0 + 6.0 * pixel, f64::from(y));
     view! {
         <rect class="finish" x=x - 18 y=y - 14 width="36" height="28" rx="3" />
-        {label.then(|| view! { <Label x=f64::from(x) + 24.0 + 6.0 * pixel y=f64::from(y) pixel=pixel text="finish" /> })}
+        {label.then(|| end_label(at, kind, beside, pixel, "finish"))}
     }
+}
+
+/// The name of a start or finish: beside its mark, or, where walls are all round, below it in its square; there
+/// it needs room.
+pub fn end_label(at: Point, kind: Kind, beside: (f64, f64), pixel: f64, text: &'static str) -> AnyView {
+    const ROOMY: f64 = 1.5;
+    let (x, y) = match kind {
+        Kind::Line => beside,
+        Kind::Wall if pixel > ROOMY => return ().into_any(),
+        Kind::Wall => (f64::from(at.x * UNIT) - 18.0 * pixel.max(0.35), f64::from(-at.y * UNIT) + 27.0),
+    };
+    view! { <Label x=x y=y pixel=pixel text=text /> }.into_any()
 }
 
 /// A word beside a place; its size stays the same when the picture is zoomed.

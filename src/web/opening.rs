@@ -9,7 +9,7 @@ use super::app::LINK;
 use super::lazy::{self, lazy};
 use super::state::{Lab, Room, ToastTone};
 use super::{browser, keys};
-use crate::maze::{file, text};
+use crate::maze::{file, json};
 use crate::share;
 
 /// Files dropped anywhere, and mazes pasted anywhere but into a field.
@@ -19,11 +19,8 @@ pub fn listen(lab: Lab) {
         event.prevent_default();
         let files = event.data_transfer().and_then(|transfer| transfer.files());
         let Some(files) = files.filter(|files| files.length() > 0) else { return };
-        if files.length() > 1 {
-            lab.say(ToastTone::Error, "One file at a time", "Only the first of the dropped files is opened.");
-        }
         if let Some(file) = files.get(0) {
-            open_file(lab, &file);
+            open_file(lab, &file, files.length() - 1);
         }
     });
     let paste = window_event_listener(leptos::ev::paste, move |event| {
@@ -65,7 +62,7 @@ pub fn open_link(lab: Lab, payload: &str) {
 pub fn open_text(lab: Lab, text: String) {
     match link_in(&text) {
         Some(payload) => open_link(lab, payload),
-        None => lazy::act(lab, bytes_opened(lab, "the pasted maze".to_owned(), text.into_bytes())),
+        None => lazy::act(lab, bytes_opened(lab, "the pasted maze".to_owned(), text.into_bytes(), 0)),
     }
 }
 
@@ -76,19 +73,19 @@ pub fn link_in(text: &str) -> Option<&str> {
     (!before.contains('\n')).then(|| payload.trim())
 }
 
-/// Opens a file that the user chose or dropped.
-pub fn open_file(lab: Lab, file: &web_sys::File) {
+/// Opens a file that the user chose or dropped; so many others came with it.
+pub fn open_file(lab: Lab, file: &web_sys::File, others: u32) {
     let (name, size) = (file.name(), file.size());
-    if size > text::MAX_BYTES as f64 {
+    if size > json::MAX_BYTES as f64 {
         let tenths = (size * 10.0 / 1_048_576.0) as u64;
-        let (whole, part, most) = (tenths / 10, tenths % 10, text::MAX_BYTES >> 20);
+        let (whole, part, most) = (tenths / 10, tenths % 10, json::MAX_BYTES >> 20);
         let text = format!("It has {whole}.{part} MiB; a maze file has at most {most} MiB.");
         return lab.say(ToastTone::Error, format!("Can’t read {name}"), text);
     }
     let bytes = file.array_buffer();
     lazy::act(lab, async move {
         match wasm_bindgen_futures::JsFuture::from(bytes).await {
-            Ok(buffer) => bytes_opened(lab, name, js_sys::Uint8Array::new(&buffer).to_vec()).await?,
+            Ok(buffer) => bytes_opened(lab, name, js_sys::Uint8Array::new(&buffer).to_vec(), others).await?,
             Err(_) => lab.say(
                 ToastTone::Error,
                 format!("Can’t read {name}"),
@@ -105,11 +102,11 @@ pub fn choose_file(lab: Lab) {
         return;
     };
     input.set_type("file");
-    input.set_accept(".maze,.json,.txt,text/plain,application/json");
+    input.set_accept(".maze,.json,.txt,.map,.num,.maz,text/plain,application/json");
     let chosen = input.clone();
     let open = Closure::once_into_js(move || {
         if let Some(file) = chosen.files().and_then(|files| files.get(0)) {
-            open_file(lab, &file);
+            open_file(lab, &file, 0);
         }
     });
     let _ = input.add_event_listener_with_callback("change", open.unchecked_ref());
@@ -135,13 +132,19 @@ lazy! { files;
 }
 
 lazy! { files;
-    fn bytes_opened(lab: Lab, name: String, bytes: Vec<u8>) -> () {
+    fn bytes_opened(lab: Lab, name: String, bytes: Vec<u8>, others: u32) -> () {
+        let title = if others == 0 { "" } else { "One file at a time" };
+        let rest = match others {
+            0 => String::new(),
+            1 => " The other file is not opened.".to_owned(),
+            more => format!(" The other {more} files are not opened."),
+        };
         match file::read(&bytes) {
             Ok(maze) => {
                 lab.open(maze);
-                lab.say(ToastTone::Info, "", format!("{name} is open."));
+                lab.say(ToastTone::Info, title, format!("Opened {name}.{rest}"));
             }
-            Err(why) => lab.say(ToastTone::Error, format!("Can’t read {name}"), why.to_string()),
+            Err(why) => lab.say(ToastTone::Error, format!("Can’t read {name}"), format!("{why}{rest}")),
         }
     }
 }

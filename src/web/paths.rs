@@ -4,7 +4,7 @@
 use std::fmt::Write;
 
 use crate::geometry::{Heading, Point};
-use crate::maze::Bounds;
+use crate::maze::{Bounds, Kind, Maze};
 
 /// Picture units a cell.
 pub const UNIT: i32 = 80;
@@ -49,6 +49,70 @@ pub fn cells((sw, ne): (Point, Point), has: impl Fn(Point, Heading) -> bool) -> 
         );
     }
     data
+}
+
+/// Path data of the walls on the squares' southern and western sides between two corners, and on the outer sides
+/// where the lattice ends; `open` says where there is none. A post that no wall touches is a stroke of no length.
+pub fn walls(bounds: Bounds, (sw, ne): (Point, Point), open: impl Fn(Point, Heading) -> bool) -> String {
+    const HALF: i32 = UNIT / 2;
+    let mut data = String::new();
+    let end = |at: i32, last: i32| at + i32::from(at == last);
+    for y in sw.y..=end(ne.y, bounds.ne().y) {
+        runs(
+            sw.x,
+            ne.x,
+            |x| !open(Point::new(x, y), Heading::South),
+            |from, to| {
+                let _ = write!(data, "M{} {}H{}", from * UNIT - HALF, HALF - y * UNIT, to * UNIT - HALF);
+            },
+        );
+    }
+    for x in sw.x..=end(ne.x, bounds.ne().x) {
+        runs(
+            sw.y,
+            ne.y,
+            |y| !open(Point::new(x, y), Heading::West),
+            |from, to| {
+                let _ = write!(data, "M{} {}V{}", x * UNIT - HALF, HALF - from * UNIT, HALF - to * UNIT);
+            },
+        );
+    }
+    for (x, y) in (sw.y..=ne.y).flat_map(|y| (sw.x..=ne.x).map(move |x| (x, y))) {
+        let (at, across) = (Point::new(x, y), Point::new(x - 1, y - 1));
+        let free = |at, sides: [Heading; 2]| sides.into_iter().all(|side| open(at, side));
+        if free(at, [Heading::South, Heading::West]) && free(across, [Heading::North, Heading::East]) {
+            let _ = write!(data, "M{} {}h0", x * UNIT - HALF, HALF - y * UNIT);
+        }
+    }
+    data
+}
+
+/// Path data of all squares between two corners that `is` says yes to, a row of them as one piece.
+pub fn squares((sw, ne): (Point, Point), is: impl Fn(Point) -> bool) -> String {
+    const HALF: i32 = UNIT / 2;
+    let mut data = String::new();
+    for y in sw.y..=ne.y {
+        runs(
+            sw.x,
+            ne.x,
+            |x| is(Point::new(x, y)),
+            |from, to| {
+                let (left, right) = (from * UNIT - HALF, to * UNIT - HALF);
+                let _ = write!(data, "M{left} {}H{right}v{UNIT}H{left}z", -y * UNIT - HALF);
+            },
+        );
+    }
+    data
+}
+
+/// Path data of what a maze is drawn with, between two corners: its line, or its walls.
+#[must_use]
+pub fn drawn(maze: &Maze, corners: (Point, Point)) -> String {
+    let has = |at, heading| maze.has_line(at, heading);
+    match maze.kind {
+        Kind::Line => cells(corners, has),
+        Kind::Wall => walls(maze.bounds(), corners, has),
+    }
 }
 
 /// The longest runs of cells along a line.

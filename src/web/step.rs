@@ -66,20 +66,17 @@ fn StageBar() -> impl IntoView {
     let size = move || {
         lab.maze.with(|maze| {
             let many = |n: usize, one: &str| format!("{n} {one}{}", if n == 1 { "" } else { "s" });
-            format!(
-                "{} of line · {} · {}",
-                many(maze.cells(), "cell"),
-                many(maze.nodes(), "node"),
-                many(maze.loops(), "loop")
-            )
+            let cells = match maze.kind {
+                Kind::Line => many(maze.cells(), "cell") + " of line",
+                Kind::Wall => many(maze.cells(), "opening"),
+            };
+            format!("{cells} · {} · {}", many(maze.nodes(), "node"), many(maze.loops(), "loop"))
         })
     };
-    let wall = move || lab.maze.with(|maze| maze.kind == Kind::Wall);
     view! {
         <div class="bar">
             <b>{title}</b>
             <span class="hide-s">{size}</span>
-            {part(move || wall().then(|| view! { <span class="case info">"walls, shown as lines"</span> }))}
             <span class="spacer"></span>
             <Legend />
             <button
@@ -98,11 +95,13 @@ fn StageBar() -> impl IntoView {
 
 #[component]
 fn Legend() -> impl IntoView {
+    let lab = lab();
+    let walls = Memo::new(move |_| lab.maze.with(|maze| maze.kind == Kind::Wall));
     view! {
-        <span class="legend hide-l" aria-hidden="true">
+        <span class="legend hide-l" class:walls=sig(move || walls.get()) aria-hidden="true">
             <span>
                 <svg class="maze" width="26" height="14" viewBox="0 0 52 28"><path class="tape" d="M8 14h36" /></svg>
-                "line"
+                {part(move || if walls.get() { "wall" } else { "line" })}
             </span>
             <span>
                 <svg class="maze" width="26" height="14" viewBox="0 0 52 28">

@@ -24,9 +24,8 @@ impl Finding {
         }
     }
 
-    /// What is wrong, in a few words.
-    #[must_use]
-    pub const fn title(&self) -> &'static str {
+    /// What is wrong, in a few words, where there are lines.
+    pub(super) const fn title(&self) -> &'static str {
         match self {
             Self::NoLines => "No lines yet",
             Self::NoStart => "No start",
@@ -41,9 +40,8 @@ impl Finding {
         }
     }
 
-    /// Where exactly, and what to do.
-    #[must_use]
-    pub fn cure(&self) -> String {
+    /// Where exactly, and what to do, where there are lines.
+    pub(super) fn cure(&self) -> String {
         match self {
             Self::NoLines => "Draw a line from point to point.".to_string(),
             Self::NoStart => "Put the start at the end of a line.".to_string(),
@@ -105,9 +103,8 @@ impl Finding {
 }
 
 impl InOrder {
-    /// What is in order.
-    #[must_use]
-    pub const fn title(&self) -> &'static str {
+    /// What is in order, where there are lines.
+    pub(super) const fn title(&self) -> &'static str {
         match self {
             Self::Start(_) => "Start is at a line’s end",
             Self::Finish { .. } => "Finish can be reached",

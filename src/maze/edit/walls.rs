@@ -45,13 +45,18 @@ pub fn open(from: Point, to: Point) -> Edit {
 
 /// The sides of squares that a pointer follows from post to post.
 fn sides(from: Point, to: Point) -> Vec<(Point, Heading)> {
-    let side = |(post, along): (Point, Heading)| match along {
+    stroke(from, to).into_iter().map(side).collect()
+}
+
+/// The side of a square that the wall from a post along a heading is.
+#[must_use]
+pub const fn side((post, along): (Point, Heading)) -> (Point, Heading) {
+    match along {
         Heading::East => (post, Heading::South),
         Heading::West => (post.step(Heading::West), Heading::South),
         Heading::North => (post, Heading::West),
         Heading::South => (post.step(Heading::South), Heading::West),
-    };
-    stroke(from, to).into_iter().map(side).collect()
+    }
 }
 
 /// The wall nearest to a place, in lattice units: the side of the square that holds it.

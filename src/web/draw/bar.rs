@@ -5,6 +5,7 @@ use leptos::prelude::*;
 
 use super::desk::{desk, many};
 use super::menu::FileMenu;
+use crate::maze::Kind;
 use crate::maze::edit::History;
 use crate::web::icons;
 use crate::web::state::{Dialog, lab};
@@ -20,12 +21,15 @@ pub fn Bar() -> impl IntoView {
     };
     let size = move || {
         lab.maze.with(|maze| {
-            let bounds = maze.bounds();
+            let (bounds, cells) = (maze.bounds(), maze.cells());
+            let (places, cells) = match maze.kind {
+                Kind::Line => ("points", many(cells, "cell")),
+                Kind::Wall => ("squares", many(cells, "opening")),
+            };
             format!(
-                "{} × {} points · {} · {}",
+                "{} × {} {places} · {cells} · {}",
                 bounds.width(),
                 bounds.height(),
-                many(maze.cells(), "cell"),
                 many(maze.nodes(), "node")
             )
         })

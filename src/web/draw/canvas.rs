@@ -8,7 +8,7 @@ use super::desk::{Desk, desk};
 use super::keyboard;
 use super::picture::{HANDLE_ARM, Picture, marker_scale};
 use crate::gesture::{Button, Doing, Finishing, Handle, Motion, Press, Spot};
-use crate::maze::samples;
+use crate::maze::{Kind, samples};
 use crate::web::paths::UNIT;
 
 /// The drawing.
@@ -18,9 +18,15 @@ pub fn Canvas() -> impl IntoView {
     // A pointer's focus needs no ring.
     let held = RwSignal::new(false);
     let label = move || {
-        let bounds = desk.lab.maze.with(|maze| maze.bounds());
+        let (bounds, kind) = desk.lab.maze.with(|maze| (maze.bounds(), maze.kind));
+        let (places, keys) = match kind {
+            Kind::Line => ("points", "Shift and arrows draw, Alt and arrows erase"),
+            Kind::Wall => {
+                ("squares", "Alt and arrows open a wall and go through, Shift and arrows build one")
+            }
+        };
         format!(
-            "Drawing of {} by {} points. Arrow keys go, Shift and arrows draw, Alt and arrows erase, S and F put start and finish.",
+            "Drawing of {} by {} {places}. Arrow keys go, {keys}, S and F put start and finish.",
             bounds.width(),
             bounds.height()
         )
@@ -76,8 +82,10 @@ fn press(desk: Desk, event: &PointerEvent) {
     // Neither autoscroll nor selection nor a mouse event made of a touch.
     event.prevent_default();
     let adds = event.shift_key() || event.ctrl_key() || event.meta_key();
-    let pixel = untrack(|| desk.camera.pixel());
+    let (pixel, kind) = untrack(|| (desk.camera.pixel(), desk.kind()));
     let cells = |pixels: f64| pixels * pixel / f64::from(UNIT);
+    // The wall before the start is no part of the handle.
+    let most = if kind == Kind::Wall { 0.17 } else { f64::INFINITY };
     let press = Press {
         id: event.pointer_id(),
         button,
@@ -85,8 +93,8 @@ fn press(desk: Desk, event: &PointerEvent) {
         tool: untrack(|| desk.held_tool()),
         finishing: if adds { Finishing::Further } else { desk.finishing.get_untracked() },
         handle: Handle {
-            arm: HANDLE_ARM * marker_scale(pixel) / f64::from(UNIT),
-            reach: cells(if touch { 22.0 } else { 15.0 }),
+            arm: HANDLE_ARM * marker_scale(kind, pixel) / f64::from(UNIT),
+            reach: cells(if touch { 22.0 } else { 15.0 }).min(most),
         },
     };
     desk.by_keyboard.set(false);
@@ -147,7 +155,7 @@ fn pixel(desk: Desk, event: &web_sys::MouseEvent) -> (f64, f64) {
 }
 
 fn is_empty(desk: Desk) -> bool {
-    desk.lab.maze.with(|maze| maze.lines().next().is_none())
+    desk.lab.maze.with(|maze| maze.kind == Kind::Line && maze.lines().next().is_none())
         && !desk.by_keyboard.get()
         && desk.doing.with(|doing| *doing == Doing::Nothing)
 }

@@ -4,6 +4,7 @@ use crate::web::erase::{mouse, part, sig};
 use leptos::prelude::*;
 
 use super::desk::{Desk, desk, many, say_done};
+use crate::maze::Kind;
 use crate::maze::checks::{Finding, InOrder, Report, Severity};
 use crate::maze::edit::Edit;
 use crate::web::icons;
@@ -16,12 +17,13 @@ const LISTED: usize = 8;
 pub fn Checks() -> impl IntoView {
     let desk = desk();
     let listed = move || {
+        let kind = desk.kind();
         desk.report.with(|report| {
             let more = report.findings.len().saturating_sub(LISTED);
             view! {
-                {report.findings.iter().take(LISTED).cloned().map(|finding| item(desk, finding)).collect_view()}
+                {report.findings.iter().take(LISTED).cloned().map(|finding| item(desk, finding, kind)).collect_view()}
                 {(more > 0).then(|| view! { <li><span></span><span class="small">{format!("and {more} more like these")}</span></li> })}
-                {report.in_order.iter().map(in_order).collect_view()}
+                {report.in_order.iter().map(|item| in_order(item, kind)).collect_view()}
             }
         })
     };
@@ -48,7 +50,7 @@ fn count(report: &Report) -> impl IntoView + use<> {
     }
 }
 
-fn item(desk: Desk, finding: Finding) -> impl IntoView {
+fn item(desk: Desk, finding: Finding, kind: Kind) -> impl IntoView {
     let this = finding.clone();
     let is_shown = Memo::new(move |_| desk.shown.with(|shown| shown.as_ref() == Some(&this)));
     let mark = match finding.severity() {
@@ -68,7 +70,11 @@ fn item(desk: Desk, finding: Finding) -> impl IntoView {
     });
     let erase = if let Finding::Apart(piece) = &finding {
         let cells = piece.cells.clone();
-        let label = if cells.len() == 1 { "Erase it" } else { "Erase them" };
+        let label = match (kind, cells.len()) {
+            (Kind::Line, 1) => "Erase it",
+            (Kind::Line, _) => "Erase them",
+            (Kind::Wall, _) => "Close them off",
+        };
         Some(view! { <button class="btn" on:click=mouse(move |_| erase(desk, &cells))>{label}</button> })
     } else {
         None
@@ -79,8 +85,8 @@ fn item(desk: Desk, finding: Finding) -> impl IntoView {
         <li class:at=sig(move || is_shown.get())>
             {mark}
             <div>
-                <b>{finding.title()}</b>
-                <span class="small">{finding.cure()}</span>
+                <b>{finding.title_in(kind)}</b>
+                <span class="small">{finding.cure_in(kind)}</span>
                 <div class="row">{show}{erase}{turn}</div>
             </div>
         </li>
@@ -89,7 +95,11 @@ fn item(desk: Desk, finding: Finding) -> impl IntoView {
 
 fn erase(desk: Desk, cells: &[(crate::geometry::Point, crate::geometry::Heading)]) {
     if desk.lab.edit(Edit::Erase(cells.to_vec())) {
-        say_done(desk.lab, format!("{} erased.", many(cells.len(), "cell")));
+        let said = match desk.with_maze(|maze| maze.kind) {
+            Kind::Line => format!("{} erased.", many(cells.len(), "cell")),
+            Kind::Wall => format!("{} built.", many(cells.len(), "wall")),
+        };
+        say_done(desk.lab, said);
     }
 }
 
@@ -100,11 +110,11 @@ fn turn(desk: Desk) {
     }
 }
 
-fn in_order(item: &InOrder) -> impl IntoView + use<> {
+fn in_order(item: &InOrder, kind: Kind) -> impl IntoView + use<> {
     view! {
         <li>
             <span class="mark ok">{icons::ok()}<span class="vh">"In order: "</span></span>
-            <div>{item.title()}<span class="small">{item.detail()}</span></div>
+            <div>{item.title_in(kind)}<span class="small">{item.detail()}</span></div>
         </li>
     }
 }

@@ -8,7 +8,7 @@ use crate::geometry::{Point, Turn};
 use crate::gesture::{Doing, Finishing, Hand, Tool};
 use crate::maze::checks::{self, Finding, Report};
 use crate::maze::edit::Edit;
-use crate::maze::{Maze, Start};
+use crate::maze::{Kind, Maze, Start};
 use crate::web::maze_view::{Camera, size_of};
 use crate::web::state::{Lab, Toast, ToastAction, ToastTone};
 
@@ -96,6 +96,12 @@ impl Desk {
             }
         });
         desk
+    }
+
+    /// Whether there are lines or walls.
+    #[must_use]
+    pub fn kind(self) -> Kind {
+        self.lab.maze.with(|maze| maze.kind)
     }
 
     /// The maze, without following its changes.

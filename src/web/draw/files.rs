@@ -6,6 +6,8 @@ use wasm_bindgen::prelude::*;
 use wasm_bindgen_futures::JsFuture;
 use web_sys::{Blob, BlobPropertyBag, CanvasRenderingContext2d, HtmlCanvasElement, HtmlImageElement, Url};
 
+use crate::maze::file::Format;
+use crate::maze::micromouse::Form;
 use crate::maze::{Maze, file, json, svg, text};
 use crate::web::browser::{download, download_blob};
 use crate::web::state::{Lab, ToastTone};
@@ -28,6 +30,39 @@ pub fn save_json(lab: Lab) {
 /// Saves a picture in the maze's true size.
 pub fn export_svg(lab: Lab) {
     saved(lab, "svg", "image/svg+xml", svg::write);
+}
+
+/// Saves a micromouse file, where the maze can be said in that form.
+pub fn export_mouse(lab: Lab, form: Form) {
+    let extension = form.extension();
+    let (name, written) = lab
+        .maze
+        .with_untracked(|maze| (file::name(maze, extension), file::write(maze, Format::Micromouse(form))));
+    match written {
+        Ok(bytes) => {
+            let parts = js_sys::Array::of1(&js_sys::Uint8Array::from(&bytes[..]));
+            let options = BlobPropertyBag::new();
+            options.set_type("application/octet-stream");
+            if let Ok(blob) = Blob::new_with_u8_array_sequence_and_options(&parts, &options) {
+                download_blob(&name, &blob);
+                lab.say(ToastTone::Info, "", format!("{name} goes to your downloads."));
+            }
+        }
+        Err(why) => {
+            lab.say(
+                ToastTone::Error,
+                format!("Can’t write this maze as .{extension}"),
+                sentence(&why.to_string()),
+            );
+        }
+    }
+}
+
+/// With a capital at the beginning and a full stop at the end.
+fn sentence(words: &str) -> String {
+    let mut chars = words.chars();
+    let first: String = chars.next().into_iter().flat_map(char::to_uppercase).collect();
+    format!("{first}{}.", chars.as_str())
 }
 
 fn saved(lab: Lab, extension: &str, mime: &str, write: impl FnOnce(&Maze) -> String) {

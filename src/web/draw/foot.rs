@@ -6,6 +6,7 @@ use leptos::prelude::*;
 use super::desk::{Desk, desk, many};
 use crate::geometry::Point;
 use crate::gesture::{Doing, Finishing, Tool};
+use crate::maze::Kind;
 use crate::web::icons;
 
 /// Pixels a cell at 100 %.
@@ -59,11 +60,13 @@ fn say(desk: Desk) -> (String, String) {
             _ => said("Drawing", String::new()),
         },
         Doing::Erase(cells) => said("Erasing ", many(cells.len(), "cell")),
+        Doing::Wall(posts) => said("Building ", many(posts.len().saturating_sub(1), "wall")),
+        Doing::Open(walls) => said("Opening ", many(walls.len(), "wall")),
         Doing::Start(start) => said("Start ", format!("at {} facing {}", start.at, start.heading.word())),
         Doing::Finish(points) => match points[..] {
             [] => said("No finish", String::new()),
             [at] => said("Finish ", format!("at {at}")),
-            _ => said("Finish ", format!("at {} points", points.len())),
+            _ => said("Finish ", format!("at {} places", points.len())),
         },
         Doing::Pan | Doing::Pinch => said("Moving the paper", String::new()),
         Doing::LetGo => said("Let go", String::new()),
@@ -71,24 +74,40 @@ fn say(desk: Desk) -> (String, String) {
             let at = desk.cursor.get();
             (format!("{at}: "), there(desk, at))
         }
-        Doing::Nothing => match desk.held_tool() {
-            Tool::Line => said("Line: ", "drag from point to point".to_owned()),
-            Tool::Erase => said("Erase: ", "drag along lines".to_owned()),
-            Tool::Start => said("Start: ", "press a line’s end".to_owned()),
-            Tool::Finish => said("Finish: ", "press a point".to_owned()),
-            Tool::Move => said("Move: ", "drag the paper".to_owned()),
-        },
+        Doing::Nothing => {
+            let (what, how) = use_of(desk.held_tool(), desk.kind());
+            said(what, how.to_owned())
+        }
     })
+}
+
+/// A tool's name, and how it is used.
+const fn use_of(tool: Tool, kind: Kind) -> (&'static str, &'static str) {
+    match (tool, kind) {
+        (Tool::Line, Kind::Line) => ("Line: ", "drag from point to point"),
+        (Tool::Line, Kind::Wall) => ("Wall: ", "drag from post to post, or press a wall"),
+        (Tool::Erase, Kind::Line) => ("Erase: ", "drag along lines"),
+        (Tool::Erase, Kind::Wall) => ("Open: ", "drag along walls"),
+        (Tool::Start, Kind::Line) => ("Start: ", "press a line’s end"),
+        (Tool::Start, Kind::Wall) => ("Start: ", "press a square"),
+        (Tool::Finish, Kind::Line) => ("Finish: ", "press a point"),
+        (Tool::Finish, Kind::Wall) => ("Finish: ", "press a square"),
+        (Tool::Move, _) => ("Move: ", "drag the paper"),
+    }
 }
 
 /// What is at a point.
 fn there(desk: Desk, at: Point) -> String {
     desk.lab.maze.with(|maze| {
         let ways: Vec<&str> = maze.ways(at).iter().map(|heading| heading.word()).collect();
+        let (none, some) = match maze.kind {
+            Kind::Line => ("no line", "line"),
+            Kind::Wall => ("walls all round", "open"),
+        };
         let mut text = match &ways[..] {
-            [] => "no line".to_owned(),
-            [one] => format!("line to the {one}"),
-            [most @ .., last] => format!("line to the {} and {last}", most.join(", ")),
+            [] => none.to_owned(),
+            [one] => format!("{some} to the {one}"),
+            [most @ .., last] => format!("{some} to the {} and {last}", most.join(", ")),
         };
         if let Some(start) = maze.start().filter(|start| start.at == at) {
             text += &format!("; start, facing {}", start.heading.word());
@@ -102,13 +121,22 @@ fn there(desk: Desk, at: Point) -> String {
 
 fn hint(desk: Desk) -> AnyView {
     match desk.doing.get() {
-        Doing::Line(_) | Doing::Erase(_) | Doing::Start(_) | Doing::Finish(_) => {
-            view! { "let go to keep · " <kbd>"Esc"</kbd> " takes it back" }.into_any()
+        Doing::Line(_)
+        | Doing::Erase(_)
+        | Doing::Wall(_)
+        | Doing::Open(_)
+        | Doing::Start(_)
+        | Doing::Finish(_) => view! { "let go to keep · " <kbd>"Esc"</kbd> " takes it back" }.into_any(),
+        Doing::Nothing | Doing::Pan | Doing::Pinch | Doing::LetGo => {
+            let (key, what) = match desk.kind() {
+                Kind::Line => ("Shift", " draw"),
+                Kind::Wall => ("Alt", " open"),
+            };
+            view! {
+                <span class="hide-l">"Keyboard: " <kbd>"arrows"</kbd> " go · " <kbd>{key}</kbd> " + " <kbd>"arrows"</kbd> {what}</span>
+            }
+            .into_any()
         }
-        _ => view! {
-            <span class="hide-l">"Keyboard: " <kbd>"arrows"</kbd> " go · " <kbd>"Shift"</kbd> " + " <kbd>"arrows"</kbd> " draw"</span>
-        }
-        .into_any(),
     }
 }
 

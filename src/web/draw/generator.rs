@@ -5,6 +5,7 @@ use leptos::html;
 use leptos::prelude::*;
 
 use super::desk::{desk, many, say_done};
+use super::sizes::KindChoice;
 use super::thumb::thumb;
 use crate::maze::generate::{Recipe, generate};
 use crate::maze::{Maze, checks};
@@ -50,6 +51,9 @@ pub fn Generator() -> impl IntoView {
             <div class="gen">
                 <Numbers recipe=recipe />
                 <Shares recipe=recipe />
+                <div class="wide">
+                    <KindChoice id="gen-kind" kind=Signal::derive(move || recipe.get().kind) set=move |kind| recipe.update(|recipe| recipe.kind = kind) />
+                </div>
                 <div class="wide preview">
                     {part(move || match made.get() {
                         Ok(maze) => view! {
@@ -75,9 +79,9 @@ fn Numbers(recipe: RwSignal<Recipe>) -> impl IntoView {
     let another = move |_| recipe.update(|recipe| recipe.seed = (js_sys::Math::random() * 10_000.0) as u64);
     view! {
         <NumberField id="gen-width" label="Width" value=Signal::derive(move || recipe.get().width.to_string())
-            hint="2 to 200 points" read=side set=move |width| recipe.update(|recipe| recipe.width = width) />
+            hint="2 to 200" read=side set=move |width| recipe.update(|recipe| recipe.width = width) />
         <NumberField id="gen-height" label="Height" value=Signal::derive(move || recipe.get().height.to_string())
-            hint="2 to 200 points" read=side set=move |height| recipe.update(|recipe| recipe.height = height) />
+            hint="2 to 200" read=side set=move |height| recipe.update(|recipe| recipe.height = height) />
         <div class="joined">
             <NumberField id="gen-seed" label="Seed" value=Signal::derive(move || recipe.get().seed.to_string())
                 hint="A whole number" read=|text: &str| text.parse().ok() set=move |seed| recipe.update(|recipe| recipe.seed = seed) />

@@ -7,6 +7,7 @@ use web_sys::KeyboardEvent;
 use super::desk::Desk;
 use crate::geometry::{Heading, Point};
 use crate::gesture::Tool;
+use crate::maze::Kind;
 use crate::maze::edit::Edit;
 use crate::web::keys::is_typing;
 
@@ -38,7 +39,8 @@ fn arrow(key: &str) -> Option<Heading> {
     })
 }
 
-/// Goes to the next point; with Shift drawing, with Alt erasing.
+/// Goes to the next point; with Shift drawing, with Alt erasing. Among walls Alt opens the one on the way, and
+/// Shift builds one there and stays.
 fn go(desk: Desk, heading: Heading, event: &KeyboardEvent) {
     // The first arrow only shows where the cursor is.
     let shown = desk.by_keyboard.get_untracked();
@@ -46,11 +48,13 @@ fn go(desk: Desk, heading: Heading, event: &KeyboardEvent) {
     let at = desk.cursor.get_untracked();
     let to = desk.with_maze(|maze| maze.bounds().clamp(at.step(heading)));
     let cells = vec![(at, heading)];
-    if event.shift_key() {
-        desk.lab.edit(Edit::Draw(cells));
-    } else if event.alt_key() {
-        desk.lab.edit(Edit::Erase(cells));
-    } else if !shown {
+    let builds = desk.with_maze(|maze| maze.kind == Kind::Wall);
+    if event.shift_key() || event.alt_key() {
+        let draws = event.shift_key() != builds;
+        desk.lab.edit(if draws { Edit::Draw(cells) } else { Edit::Erase(cells) });
+    }
+    let stays = if builds { event.shift_key() } else { false };
+    if stays || !(shown || event.shift_key() || event.alt_key()) {
         return desk.camera.show(at);
     }
     desk.cursor.set(to);
@@ -73,14 +77,17 @@ fn press(desk: Desk, key: &str) -> bool {
 }
 
 fn erase_at(desk: Desk, at: Point) {
-    let cells = desk.with_maze(|maze| maze.ways(at).iter().map(|heading| (at, heading)).collect());
-    desk.lab.edit(Edit::Erase(cells));
+    let edit = desk.with_maze(|maze| match maze.kind {
+        Kind::Line => Edit::Erase(maze.ways(at).iter().map(|heading| (at, heading)).collect()),
+        Kind::Wall => Edit::Draw(Heading::ALL.map(|heading| (at, heading)).to_vec()),
+    });
+    desk.lab.edit(edit);
 }
 
 /// Keys that count anywhere in the room.
 fn in_room(desk: Desk, key: &str) -> bool {
     match key {
-        "l" | "L" => desk.take(Tool::Line),
+        "l" | "L" | "w" | "W" => desk.take(Tool::Line),
         "e" | "E" => desk.take(Tool::Erase),
         "s" | "S" => desk.take(Tool::Start),
         "f" | "F" => desk.take(Tool::Finish),

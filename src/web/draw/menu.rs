@@ -7,6 +7,7 @@ use wasm_bindgen::JsCast;
 use web_sys::{Element, HtmlElement, KeyboardEvent};
 
 use super::files::{self, save};
+use crate::maze::micromouse::Form;
 use crate::web::opening::choose_file;
 use crate::web::state::{Dialog, lab};
 
@@ -77,6 +78,12 @@ pub fn FileMenu() -> impl IntoView {
                     <hr role="separator" />
                     {item("Save .maze", "Ctrl S", save)}
                     {item("Save .json", "", files::save_json)}
+                    <hr role="separator" />
+                    {item("Export micromouse .txt", "", |lab| files::export_mouse(lab, Form::Online))}
+                    {item("Export micromouse .map", "", |lab| files::export_mouse(lab, Form::Map))}
+                    {item("Export micromouse .num", "", |lab| files::export_mouse(lab, Form::Num))}
+                    {item("Export micromouse .maz", "", |lab| files::export_mouse(lab, Form::Binary))}
+                    <hr role="separator" />
                     {item("Export picture, SVG", "", files::export_svg)}
                     {item("Export picture, PNG", "", files::export_png)}
                     <hr role="separator" />

@@ -36,7 +36,7 @@ pub fn Paste() -> impl IntoView {
     view! {
         <Modal title="Paste a maze">
             <form class="stack" on:submit=submit(open)>
-                <label class="field" for="paste">"The text of a .maze or .json file, or a link to a maze"</label>
+                <label class="field" for="paste">"The text of a .maze, .json or micromouse file, or a link to a maze"</label>
                 <textarea class="input" id="paste" rows="12" spellcheck="false" autocomplete="off" node_ref=text
                     aria-invalid=sig(move || (!wrong.with(String::is_empty)).to_string()) aria-describedby="paste-wrong"></textarea>
                 <p class="wrong" id="paste-wrong" role="alert">{wrong}</p>

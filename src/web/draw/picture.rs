@@ -7,17 +7,21 @@ use super::desk::{Desk, desk, many};
 use crate::geometry::{Heading, Point};
 use crate::gesture::Doing;
 use crate::maze::checks::Finding;
-use crate::maze::{Bounds, Start};
-use crate::web::maze_view::{Label, finish_mark};
+use crate::maze::{Bounds, Kind, Start};
+use crate::web::maze_view::{Label, end_label, finish_mark};
 use crate::web::paths::{self, UNIT};
 
 /// Picture units from the start to its handle.
 pub const HANDLE_ARM: f64 = 40.0;
 
-/// How much larger the start's marker is drawn, so that a finger can take its handle.
+/// How much larger the start's marker is drawn, so that a finger can take its handle. Between walls it has to
+/// stay in its square.
 #[must_use]
-pub fn marker_scale(pixel: f64) -> f64 {
-    (0.65 * pixel).max(1.0)
+pub fn marker_scale(kind: Kind, pixel: f64) -> f64 {
+    match kind {
+        Kind::Line => (0.65 * pixel).max(1.0),
+        Kind::Wall => 0.62,
+    }
 }
 
 /// The picture.
@@ -25,7 +29,7 @@ pub fn marker_scale(pixel: f64) -> f64 {
 pub fn Picture() -> impl IntoView {
     let desk = desk();
     view! {
-        <svg class="maze" viewBox=sig(move || desk.camera.view_box()) aria-hidden="true">
+        <svg class="maze" class:walls=sig(move || desk.kind() == Kind::Wall) viewBox=sig(move || desk.camera.view_box()) aria-hidden="true">
             <defs>
                 <pattern id="draw-dots" width=UNIT height=UNIT x=-UNIT / 2 y=-UNIT / 2 patternUnits="userSpaceOnUse">
                     <circle class="dot" cx=UNIT / 2 cy=UNIT / 2 r="3" />
@@ -60,10 +64,15 @@ fn Paper() -> impl IntoView {
     let bounds = Memo::new(move |_| desk.lab.maze.with(|maze| maze.bounds()));
     // Points nearer than this to each other would only be grey.
     let dotted = Memo::new(move |_| desk.camera.view().scale >= 7.0);
+    let kind = Memo::new(move |_| desk.kind());
     part(move || {
         let [x, y, w, h] = frame(bounds.get(), UNIT / 2);
+        // Walls have their posts, and their own edge.
+        if kind.get() == Kind::Wall {
+            return ().into_any();
+        }
         let fill = if dotted.get() { "url(#draw-dots)" } else { "none" };
-        view! { <rect class="paper-edge" x=x y=y width=w height=h rx="18" fill=fill /> }
+        view! { <rect class="paper-edge" x=x y=y width=w height=h rx="18" fill=fill /> }.into_any()
     })
 }
 
@@ -104,16 +113,23 @@ fn Axes() -> impl IntoView {
     view! { <g>{numbers}</g> }
 }
 
-/// The line, in tiles: an edit draws only the tiles anew that it changes.
+/// The line, or walls and closed squares, in tiles: an edit draws only the tiles anew that it changes.
 #[component]
 fn Tape() -> impl IntoView {
     let desk = desk();
     let bounds = Memo::new(move |_| desk.lab.maze.with(|maze| maze.bounds()));
     let tile = move |corners: (Point, Point)| {
-        let data = Memo::new(move |_| {
-            desk.lab.maze.with(|maze| paths::cells(corners, |at, heading| maze.has_line(at, heading)))
+        let data = Memo::new(move |_| desk.lab.maze.with(|maze| paths::drawn(maze, corners)));
+        let solid = Memo::new(move |_| {
+            desk.lab.maze.with(|maze| match maze.kind {
+                Kind::Line => String::new(),
+                Kind::Wall => paths::squares(corners, |at| maze.ways(at).is_empty()),
+            })
         });
-        view! { <path class="tape" d=sig(move || data.get()) /> }
+        view! {
+            <path class="solid" d=sig(move || solid.get()) />
+            <path class="tape" d=sig(move || data.get()) />
+        }
     };
     part(move || paths::tiles(bounds.get()).into_iter().map(tile).collect_view())
 }
@@ -127,8 +143,13 @@ fn Finish() -> impl IntoView {
         _ => desk.lab.maze.with(|maze| maze.finish().to_vec()),
     });
     part(move || {
-        let pixel = desk.camera.pixel();
-        points.get().into_iter().enumerate().map(|(i, at)| finish_mark(at, i == 0, pixel)).collect_view()
+        let (pixel, kind) = (desk.camera.pixel(), desk.kind());
+        points
+            .get()
+            .into_iter()
+            .enumerate()
+            .map(|(i, at)| finish_mark(at, kind, i == 0, pixel))
+            .collect_view()
     })
 }
 
@@ -146,17 +167,17 @@ fn StartMarker() -> impl IntoView {
                 "translate({} {}) scale({:.3})",
                 at.x * UNIT,
                 -at.y * UNIT,
-                marker_scale(desk.camera.pixel())
+                marker_scale(desk.kind(), desk.camera.pixel())
             )
         };
         let (x, y) = (f64::from(at.x * UNIT), f64::from(-at.y * UNIT));
         let label = move || {
-            let pixel = desk.camera.pixel();
-            let scale = marker_scale(pixel);
+            let (pixel, kind) = (desk.camera.pixel(), desk.kind());
+            let scale = marker_scale(kind, pixel);
             // Beside the ring; not on the line that goes there.
             let below = if heading == Heading::East { 40.0 * scale } else { 18.0 * scale };
             let beside = (if heading == Heading::East { 30.0 } else { 42.0 }) * scale + 4.0 * pixel;
-            view! { <Label x=x + beside y=y + below pixel=pixel text="start" /> }
+            end_label(at, kind, (x + beside, y + below), pixel, "start")
         };
         view! {
             <g class="start" transform=place>
@@ -183,7 +204,10 @@ fn Preview() -> impl IntoView {
     part(move || {
         desk.doing.with(|doing| match doing {
             Doing::Line(path) => Some(line(desk, path).into_any()),
-            Doing::Erase(cells) => Some(erasing(cells).into_any()),
+            Doing::Erase(cells) => Some(erasing(cells, "").into_any()),
+            // Posts stand half a cell to the south-west of their squares' middles.
+            Doing::Wall(posts) => Some(view! { <g transform=POSTS>{line(desk, posts)}</g> }.into_any()),
+            Doing::Open(walls) => Some(erasing(walls, POSTS).into_any()),
             Doing::Nothing
             | Doing::Start(_)
             | Doing::Finish(_)
@@ -193,6 +217,9 @@ fn Preview() -> impl IntoView {
         })
     })
 }
+
+/// From squares to their posts, in picture units.
+const POSTS: &str = "translate(-40 40)";
 
 /// The line that is under way: dashed, with rings at its ends and its length.
 fn line(desk: Desk, path: &[Point]) -> impl IntoView + use<> {
@@ -208,7 +235,7 @@ fn line(desk: Desk, path: &[Point]) -> impl IntoView + use<> {
         view! {
             <g class="tag" transform=place>
                 <rect x="-38" y="-42" width="76" height="26" rx="8" />
-                <text y="-24">{many(cells, "cell")}</text>
+                <text y="-24">{many(cells, if desk.kind() == Kind::Wall { "wall" } else { "cell" })}</text>
             </g>
         }
     };
@@ -221,12 +248,14 @@ fn line(desk: Desk, path: &[Point]) -> impl IntoView + use<> {
     }
 }
 
-fn erasing(cells: &[(Point, Heading)]) -> impl IntoView + use<> {
+fn erasing(cells: &[(Point, Heading)], moved: &'static str) -> impl IntoView + use<> {
     let data: String = cells.iter().map(|&(at, heading)| paths::line([at, at.step(heading)])).collect();
     let dashes = data.clone();
     view! {
-        <path class="erased-under" d=data />
-        <path class="erased" d=dashes />
+        <g transform=moved>
+            <path class="erased-under" d=data />
+            <path class="erased" d=dashes />
+        </g>
     }
 }
 
@@ -239,7 +268,7 @@ fn Shown() -> impl IntoView {
         let corner = move || format!("translate({x} {y}) scale({:.3})", desk.camera.pixel().max(0.6));
         let label = move || {
             let pixel = desk.camera.pixel();
-            view! { <Label x=f64::from(x) + 8.0 y=f64::from(y + h) + 12.0 * pixel pixel=pixel text=word(&finding) /> }
+            view! { <Label x=f64::from(x) + 8.0 y=f64::from(y + h) + 12.0 * pixel pixel=pixel text=word(&finding, desk.kind()) /> }
         };
         Some(view! {
             <g class="shown">
@@ -256,8 +285,9 @@ fn Shown() -> impl IntoView {
 }
 
 /// A finding in a word or two, for the drawing.
-const fn word(finding: &Finding) -> &'static str {
+const fn word(finding: &Finding, kind: Kind) -> &'static str {
     match finding {
+        Finding::StartOffLine(_) | Finding::FinishOffLine(_) if matches!(kind, Kind::Wall) => "walled in",
         Finding::Apart(_) => "apart",
         Finding::FinishUnreachable { .. } => "no way there",
         Finding::StartOffLine(_) | Finding::FinishOffLine(_) => "no line here",

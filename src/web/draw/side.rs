@@ -1,12 +1,13 @@
 //! Beside the drawing: sizes on the floor, and what the book's explorer makes of the maze.
 
-use crate::web::erase::{mouse, part, sig};
+use crate::web::erase::{mouse, sig};
 use leptos::prelude::*;
 
 use super::desk::{desk, many};
+use super::sizes::KindChoice;
 use crate::event::Outcome;
 use crate::maze::edit::Edit;
-use crate::maze::{Kind, Scale, millimetres};
+use crate::maze::{Scale, millimetres};
 use crate::web::app::go;
 use crate::web::dialogs::settings::NumberField;
 use crate::web::icons;
@@ -24,11 +25,6 @@ pub fn Floor() -> impl IntoView {
     };
     let number = |text: &str| millimetres(&text.replace(',', "."));
     let kind = Memo::new(move |_| lab.maze.with(|maze| maze.kind));
-    let choice = move |of: Kind, name: &'static str| {
-        view! {
-            <button aria-pressed=sig(move || (kind.get() == of).to_string()) on:click=mouse(move |_| { lab.edit(Edit::Kind(of)); })>{name}</button>
-        }
-    };
     let has_start = Memo::new(move |_| lab.maze.with(|maze| maze.start().is_some()));
     view! {
         <section class="card">
@@ -40,19 +36,13 @@ pub fn Floor() -> impl IntoView {
                 <NumberField id="line-mm" label="Line, mm" value=Signal::derive(move || scale.get().line_mm().to_string())
                     hint="0.1 mm to the length of a cell"
                     read=move |text: &str| Scale::new(now().cell_mm(), number(text)?).ok() set=set />
-                <div class="field">
-                    <span id="kind">"Drawn as"</span>
-                    <div class="seg wide" role="group" aria-labelledby="kind">{choice(Kind::Line, "Lines")}{choice(Kind::Wall, "Walls")}</div>
-                </div>
+                <KindChoice id="drawn-as" kind=kind set=move |of| { lab.edit(Edit::Kind(of)); } />
                 <div class="field">
                     <span>"Start"</span>
                     <button class="btn" title="Turn the start clockwise (T)" disabled=sig(move || !has_start.get()) on:click=mouse(move |_| desk.turn_start())>
                         {icons::again()} "Turn"<span class="vh">" the start clockwise"</span>
                     </button>
                 </div>
-                {part(move || (kind.get() == Kind::Wall).then(|| view! {
-                    <p class="small wide">"Walls are shown as lines here for now: a line is an open way between two squares."</p>
-                }))}
             </div>
         </section>
     }

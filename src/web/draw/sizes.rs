@@ -1,12 +1,12 @@
 //! A new, empty maze, and another size for the one that is there.
 
-use crate::web::erase::{sig, submit};
+use crate::web::erase::{mouse, sig, submit};
 use leptos::prelude::*;
 
 use super::desk::{many, say_done};
 use crate::geometry::Point;
 use crate::maze::edit::Edit;
-use crate::maze::{Bounds, MAX_SIDE, Maze};
+use crate::maze::{Bounds, Kind, MAX_SIDE, Maze};
 use crate::web::dialogs::settings::NumberField;
 use crate::web::dialogs::{Modal, Width};
 use crate::web::state::lab;
@@ -20,12 +20,13 @@ const SIDE_HINT: &str = "A whole number from 2 to 1000";
 pub fn New() -> impl IntoView {
     let lab = lab();
     let size = RwSignal::new((16_u32, 10_u32));
+    let kind = RwSignal::new(Kind::Line);
     let make = move |event: web_sys::SubmitEvent| {
         event.prevent_default();
         let (width, height) = size.get_untracked();
         let ne = Point::new(width.cast_signed() - 1, height.cast_signed() - 1);
         if let Ok(bounds) = Bounds::new(Point::new(0, 0), ne) {
-            lab.open(Maze::new(bounds));
+            lab.open(Maze::blank(bounds, kind.get_untracked()));
             lab.dialog.set(None);
             say_done(lab, "A new maze is open.".to_owned());
         }
@@ -34,13 +35,34 @@ pub fn New() -> impl IntoView {
         <Modal title="New maze" width=Width::Narrow>
             <form class="stack" on:submit=submit(make) novalidate>
                 <div class="pair">
-                    <Side id="new-width" label="Width, points" value=Signal::derive(move || size.get().0) set=move |w| size.update(|size| size.0 = w) />
-                    <Side id="new-height" label="Height, points" value=Signal::derive(move || size.get().1) set=move |h| size.update(|size| size.1 = h) />
+                    <Side id="new-width" label="Width" value=Signal::derive(move || size.get().0) set=move |w| size.update(|size| size.0 = w) />
+                    <Side id="new-height" label="Height" value=Signal::derive(move || size.get().1) set=move |h| size.update(|size| size.1 = h) />
                 </div>
+                <KindChoice id="new-kind" kind=Signal::derive(move || kind.get()) set=move |of| kind.set(of) />
                 <p class="small">"The maze that is open now comes back with Undo."</p>
                 <div class="row"><button class="btn primary" type="submit">"Begin"</button></div>
             </form>
         </Modal>
+    }
+}
+
+/// Lines or walls.
+#[component]
+pub fn KindChoice(
+    id: &'static str,
+    #[prop(into)] kind: Signal<Kind>,
+    set: impl Fn(Kind) + Copy + 'static,
+) -> impl IntoView {
+    let choice = move |of: Kind, name: &'static str| {
+        view! {
+            <button type="button" aria-pressed=sig(move || (kind.get() == of).to_string()) on:click=mouse(move |_| set(of))>{name}</button>
+        }
+    };
+    view! {
+        <div class="field">
+            <span>"Drawn as"</span>
+            <div class="seg wide" id=id role="group" aria-label="Drawn as">{choice(Kind::Line, "Lines")}{choice(Kind::Wall, "Walls")}</div>
+        </div>
     }
 }
 
@@ -81,15 +103,19 @@ impl Growth {
 #[component]
 pub fn Resize() -> impl IntoView {
     let lab = lab();
-    let before = lab.maze.with_untracked(|maze| maze.bounds());
+    let (before, kind) = lab.maze.with_untracked(|maze| (maze.bounds(), maze.kind));
+    let places = match kind {
+        Kind::Line => "points",
+        Kind::Wall => "squares",
+    };
     let growth = RwSignal::new(Growth::default());
     let after = Memo::new(move |_| growth.get().applied(before));
     let size = move || {
         after.get().map_or_else(
-            || format!("A maze has 2 to {MAX_SIDE} points along a side."),
+            || format!("A maze has 2 to {MAX_SIDE} {places} along a side."),
             |after| {
                 format!(
-                    "{} × {} points become {} × {}.",
+                    "{} × {} {places} become {} × {}.",
                     before.width(),
                     before.height(),
                     after.width(),
@@ -104,7 +130,7 @@ pub fn Resize() -> impl IntoView {
         let Some(after) = after.get_untracked() else { return };
         lab.dialog.set(None);
         if lab.edit(Edit::Bounds(after)) {
-            say_done(lab, format!("The maze has {} × {} points now.", after.width(), after.height()));
+            say_done(lab, format!("The maze has {} × {} {places} now.", after.width(), after.height()));
         }
     };
     let width =
@@ -119,12 +145,12 @@ pub fn Resize() -> impl IntoView {
         <Modal title="Resize" width=Width::Narrow>
             <form class="stack" on:submit=submit(apply) novalidate>
                 <div class="pair">
-                    <Side id="resize-width" label="Width, points" value=width
+                    <Side id="resize-width" label="Width" value=width
                         set=move |w| growth.update(|g| g.east = w.cast_signed() - before.width().cast_signed() - g.west) />
-                    <Side id="resize-height" label="Height, points" value=height
+                    <Side id="resize-height" label="Height" value=height
                         set=move |h| growth.update(|g| g.north = h.cast_signed() - before.height().cast_signed() - g.south) />
                 </div>
-                <p class="small">"Or say for each side how many points to add; a number below 0 cuts them off."</p>
+                <p class="small">"Or say for each side how many rows or columns to add; a number below 0 cuts them off."</p>
                 <div class="pair">
                     <Edge id="grow-west" label="West" value=grown(|g| &mut g.west) set=grow(|g| &mut g.west) />
                     <Edge id="grow-east" label="East" value=grown(|g| &mut g.east) set=grow(|g| &mut g.east) />
@@ -161,7 +187,7 @@ fn cut_off(maze: &Maze, after: Bounds) -> String {
     let start = maze.start().is_some_and(|start| !after.contains(start.at));
     let finish = maze.finish().iter().any(|&at| !after.contains(at));
     let lost: Vec<String> = [
-        (cells > 0).then(|| many(cells, "cell")),
+        (cells > 0).then(|| many(cells, if maze.kind == Kind::Wall { "opening" } else { "cell" })),
         start.then(|| "the start".to_owned()),
         finish.then(|| "the finish".to_owned()),
     ]

@@ -5,11 +5,11 @@ use crate::web::erase::{part, pointer, sig, wheel};
 use leptos::html;
 use leptos::prelude::*;
 
-use crate::geometry::{Heading, Point};
+use crate::geometry::{Heading, Point, Ways};
 use crate::ink::CellState;
-use crate::maze::Maze;
+use crate::maze::{Kind, Maze};
 use crate::scene::{self, NodeMark, Pose, Trail};
-use crate::web::maze_view::{Bot, Camera, Compass, Label, ZoomButtons, finish_mark, size_of};
+use crate::web::maze_view::{Bot, Camera, Compass, ZoomButtons, end_label, finish_mark, size_of};
 use crate::web::paths::{self, UNIT};
 use crate::web::run_view::Run;
 use crate::web::state::{Lab, Round, lab};
@@ -65,6 +65,7 @@ pub fn Stage() -> impl IntoView {
         >
             <svg
                 class="maze"
+                class:walls=sig(move || lab.maze.with(|maze| maze.kind == Kind::Wall))
                 viewBox=sig(move || camera.view_box())
                 role="img"
                 aria-label=sig(move || describe(lab, stop.get()))
@@ -73,6 +74,7 @@ pub fn Stage() -> impl IntoView {
             >
                 <Defs />
                 <Floor />
+                <path class="solid" d=sig(move || solid(lab, stop)) />
                 <path class="tape" d=sig(move || tape(lab, stop)) />
                 {part(move || (lab.round.get() == Round::Explore).then(|| view! {
                     <path class="remembered" d=sig(move || drawn.with(|d| d.remembered.clone())) />
@@ -128,15 +130,57 @@ fn Floor() -> impl IntoView {
         view! { <rect x=at(bounds.sw().x) - UNIT / 2 y=-at(bounds.ne().y) - UNIT / 2 width=w height=h fill="url(#dots)" /> }
     })
     };
-    part(move || (!lab.robots_eye.get()).then(rect))
+    part(move || (!lab.robots_eye.get() && lab.maze.with(|maze| maze.kind == Kind::Line)).then(rect))
 }
 
-/// The line: all of it, or what the robot has seen. Only the latter changes from stop to stop.
+/// What the robot has seen until now; none where all of the maze is shown. Only this changes from stop to stop.
+fn seen(lab: Lab, stop: Memo<u32>) -> Option<Vec<(Point, Ways)>> {
+    lab.robots_eye.get().then(|| {
+        with_run(lab, |run| {
+            let stop = if lab.round.get() == Round::Solved { run.trace.stops() } else { stop.get() };
+            scene::seen_points(&run.maze, &run.ink, stop)
+        })
+    })
+}
+
+/// Squares that are closed all round, or that the robot has not seen.
+fn solid(lab: Lab, stop: Memo<u32>) -> String {
+    lab.maze.with(|maze| {
+        if maze.kind == Kind::Line {
+            return String::new();
+        }
+        let (bounds, seen) = (maze.bounds(), seen(lab, stop));
+        paths::squares((bounds.sw(), bounds.ne()), |at| match &seen {
+            None => maze.ways(at).is_empty(),
+            Some(seen) => seen.binary_search_by_key(&at, |square| square.0).is_err(),
+        })
+    })
+}
+
+/// The walls of the squares that the robot has seen.
+fn seen_walls(seen: &[(Point, Ways)]) -> String {
+    let mut data = String::new();
+    for (at, ways) in seen {
+        for heading in Heading::ALL.into_iter().filter(|&heading| !ways.has(heading)) {
+            let ((dx, dy), half) = (heading.vector(), UNIT / 2);
+            let (x, y) = (at.x * UNIT + (dx - dy) * half, -at.y * UNIT - (dx + dy) * half);
+            data.push_str(&format!("M{x} {y}l{} {}", dy * UNIT, dx * UNIT));
+        }
+    }
+    data
+}
+
+/// The line, or the walls: all of them, or what the robot has seen.
 fn tape(lab: Lab, stop: Memo<u32>) -> String {
-    if !lab.robots_eye.get() {
+    let kind = lab.maze.with(|maze| maze.kind);
+    let seen = (kind == Kind::Wall).then(|| seen(lab, stop)).flatten();
+    if let Some(seen) = seen {
+        return seen_walls(&seen);
+    }
+    if kind == Kind::Wall || !lab.robots_eye.get() {
         return lab.maze.with(|maze| {
             let bounds = maze.bounds();
-            paths::cells((bounds.sw(), bounds.ne()), |at, heading| maze.has_line(at, heading))
+            paths::drawn(maze, (bounds.sw(), bounds.ne()))
         });
     }
     with_run(lab, |run| {
@@ -245,10 +289,10 @@ fn Ends(camera: Camera) -> impl IntoView {
             let finish: Vec<Point> = maze.finish().iter().copied().filter(|&at| known(at)).collect();
             let start = maze.start().map(|start| {
                 let (x, y) = (f64::from(start.at.x * UNIT), f64::from(-start.at.y * UNIT));
-                view! { <Label x=x + 32.0 + 4.0 * pixel y=y + 6.0 pixel=pixel text="start" /> }
+                end_label(start.at, maze.kind, (x + 32.0 + 4.0 * pixel, y + 6.0), pixel, "start")
             });
             view! {
-                {finish.into_iter().enumerate().map(|(i, at)| finish_mark(at, i == 0, pixel)).collect_view()}
+                {finish.into_iter().enumerate().map(|(i, at)| finish_mark(at, maze.kind, i == 0, pixel)).collect_view()}
                 {start}
             }
         })

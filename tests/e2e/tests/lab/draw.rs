@@ -1,139 +1,14 @@
 //! The Draw room: by keyboard, mouse and touch, from an empty sheet to a solved maze.
 
 use anyhow::{Context, Result};
-use e2e::{Button, Page, Place, Setup, lab, root};
-use line_maze_lab::maze::generate::{Recipe, generate};
-use line_maze_lab::maze::{Maze, text};
-use serde_json::{Value, json};
+use e2e::{Button, Setup};
+use line_maze_lab::maze::text;
 
+use crate::drawing::{
+    FINISH, START, STROKES, along, arrow, at, between, cells, draw_room, figure_3_1, has_cells, keeps, kept,
+    new_by_keys, places,
+};
 use crate::figure_3_1::{shows_stop, steps_to_the_end};
-
-/// Figure 3.1 as strokes of a pen.
-const STROKES: [&[(i32, i32)]; 5] = [
-    &[(0, 0), (0, 5), (6, 5), (6, 0), (7, 0)],
-    &[(0, 1), (6, 1)],
-    &[(0, 3), (2, 3), (2, 1)],
-    &[(4, 1), (4, 2)],
-    &[(3, 5), (3, 4)],
-];
-const START: (i32, i32) = (0, 0);
-const FINISH: (i32, i32) = (3, 4);
-
-fn figure_3_1() -> Result<Maze> {
-    Ok(text::parse(&std::fs::read_to_string(root().join("mazes/book-3-1.maze"))?)?)
-}
-
-/// The maze as the browser keeps it.
-async fn kept(page: &Page) -> Result<String> {
-    let kept = page.eval("localStorage.getItem('line-maze-lab/maze')").await?;
-    Ok(kept.as_str().context("the browser keeps no maze")?.to_owned())
-}
-
-/// Checks that this was drawn, whatever it is called.
-async fn keeps(page: &Page, expected: &Maze) -> Result<()> {
-    has_cells(page, expected.cells()).await?;
-    let kept = text::parse(&kept(page).await?)?;
-    assert_eq!(
-        (kept.bounds(), kept.start(), kept.finish()),
-        (expected.bounds(), expected.start(), expected.finish())
-    );
-    assert!(kept.lines().eq(expected.lines()), "{}", text::write(&kept));
-    Ok(())
-}
-
-/// Cells of line in the drawing.
-async fn cells(page: &Page) -> Result<usize> {
-    Ok(text::parse(&kept(page).await?)?.cells())
-}
-
-async fn has_cells(page: &Page, count: usize) -> Result<()> {
-    let size = json!(format!(" {count} cell"));
-    page.wait_until(&format!("document.querySelector('.bar .size').textContent.includes({size})")).await?;
-    assert_eq!(cells(page).await?, count);
-    Ok(())
-}
-
-/// Where a lattice point is in the window.
-async fn at(page: &Page, (x, y): (i32, i32)) -> Result<Place> {
-    between(page, (f64::from(x), f64::from(y))).await
-}
-
-async fn between(page: &Page, (x, y): (f64, f64)) -> Result<Place> {
-    let find = "(x, y) => {
-        const svg = document.querySelector('#drawing svg.maze');
-        document.getElementById('drawing').scrollIntoView({ block: 'nearest', behavior: 'instant' });
-        const place = new DOMPoint(x * 80, y * -80).matrixTransform(svg.getScreenCTM());
-        return [place.x, place.y];
-    }";
-    let place = page.call(find, &[json!(x), json!(y)]).await?;
-    Ok((place[0].as_f64().context("no place")?, place[1].as_f64().context("no place")?))
-}
-
-async fn places(page: &Page, points: &[(i32, i32)]) -> Result<Vec<Place>> {
-    let mut places = Vec::new();
-    for &point in points {
-        places.push(at(page, point).await?);
-    }
-    Ok(places)
-}
-
-/// Every lattice point along a stroke: a finger touches them all.
-fn along(stroke: &[(i32, i32)]) -> Vec<(i32, i32)> {
-    let mut points = vec![stroke[0]];
-    for leg in stroke.windows(2) {
-        let ((mut x, mut y), to) = (leg[0], leg[1]);
-        while (x, y) != to {
-            (x, y) = (x + (to.0 - x).signum(), y + (to.1 - y).signum());
-            points.push((x, y));
-        }
-    }
-    points
-}
-
-async fn draw_room(setup: Setup, body: impl AsyncFnOnce(&Page) -> Result<()>) -> Result<()> {
-    lab(setup.at("draw"), async |page| {
-        page.wait_for("#drawing svg.maze").await?;
-        body(page).await
-    })
-    .await
-}
-
-/// Presses Tab until an element has the focus.
-async fn tab_to(page: &Page, css: &str) -> Result<()> {
-    for _ in 0..60 {
-        if page.eval(&format!("document.activeElement.matches({})", json!(css))).await? == true {
-            return Ok(());
-        }
-        page.press("Tab").await?;
-    }
-    anyhow::bail!("Tab never comes to {css}")
-}
-
-/// An empty maze of this size, by keys.
-async fn new_by_keys(page: &Page, width: &str, height: &str) -> Result<()> {
-    page.press("Alt+n").await?;
-    page.wait_for("dialog[open] #new-width").await?;
-    for (field, value) in [("#new-width", width), ("#new-height", height)] {
-        tab_to(page, field).await?;
-        page.press("Control+a").await?;
-        for digit in value.chars() {
-            page.press(&digit.to_string()).await?;
-        }
-    }
-    page.press("Enter").await?;
-    page.wait_for_no("dialog").await?;
-    tab_to(page, "#drawing").await
-}
-
-fn arrow(from: (i32, i32), to: (i32, i32)) -> Option<&'static str> {
-    Some(match ((to.0 - from.0).signum(), (to.1 - from.1).signum()) {
-        (1, _) => "ArrowRight",
-        (-1, _) => "ArrowLeft",
-        (_, 1) => "ArrowUp",
-        (_, -1) => "ArrowDown",
-        _ => return None,
-    })
-}
 
 #[tokio::test]
 async fn figure_3_1_is_drawn_and_solved_by_keyboard() -> Result<()> {
@@ -335,46 +210,6 @@ async fn start_and_finish_are_dragged_and_turned() -> Result<()> {
 }
 
 #[tokio::test]
-async fn a_maze_is_saved_and_opened_again() -> Result<()> {
-    // The system's own dialog for files can't be used by a test: the field is put on the page instead.
-    let chooser =
-        "HTMLInputElement.prototype.click = function () { document.querySelector('main').append(this) };";
-    draw_room(Setup::default().script(chooser), async |page| {
-        let downloads = page.allow_downloads().await?;
-        let path = places(page, &[(0, 3), (0, 3)]).await?;
-        page.drag(&path, Button::Left).await?;
-        page.press("Control+s").await?;
-        let saved = downloads.file("the-run-of-the-book.maze").await?;
-        assert_eq!(text::parse(&saved)?, figure_3_1()?);
-        for (entry, file) in [
-            ("Save .json", "the-run-of-the-book.json"),
-            ("Export picture, SVG", "the-run-of-the-book.svg"),
-            ("Export picture, PNG", "the-run-of-the-book.png"),
-        ] {
-            page.click("File ▾").await?;
-            page.wait_for("[role=menu]").await?;
-            page.click(entry).await?;
-            assert!(downloads.bytes(file).await?.len() > 300, "{file}");
-        }
-        assert!(downloads.bytes("the-run-of-the-book.png").await?.starts_with(b"\x89PNG"));
-        assert!(downloads.file("the-run-of-the-book.svg").await?.contains("<svg"));
-
-        for file in ["the-run-of-the-book.maze", "the-run-of-the-book.json"] {
-            new_by_keys(page, "3", "3").await?;
-            has_cells(page, 0).await?;
-            page.press("Control+o").await?;
-            page.wait_for("input[type=file]").await?;
-            page.choose_file("input[type=file]", &downloads.path(file)).await?;
-            page.wait_for_text(".stage .bar", "The run of the book").await?;
-            assert_eq!(kept(page).await?, saved, "{file}");
-            page.run("document.querySelector('input[type=file]').remove()").await?;
-        }
-        Ok(())
-    })
-    .await
-}
-
-#[tokio::test]
 async fn a_drawing_survives_a_reload() -> Result<()> {
     draw_room(Setup::default(), async |page| {
         new_by_keys(page, "5", "4").await?;
@@ -391,82 +226,6 @@ async fn a_drawing_survives_a_reload() -> Result<()> {
         page.wait_for_text(".side", "The bot can’t start").await?;
         page.click("Draw it right").await?;
         page.wait_for("#drawing").await
-    })
-    .await
-}
-
-#[tokio::test]
-async fn a_seed_makes_the_same_maze_here_and_there() -> Result<()> {
-    draw_room(Setup::default(), async |page| {
-        page.click("Generate").await?;
-        page.wait_for("#gen-width").await?;
-        for (field, value) in [("#gen-width", "9"), ("#gen-height", "7"), ("#gen-seed", "4711")] {
-            page.fill(field, value).await?;
-        }
-        page.screenshot("generator").await?;
-        page.click("Use this").await?;
-        page.wait_for_no(".generator").await?;
-        let native = generate(&Recipe { width: 9, height: 7, seed: 4711, ..Recipe::default() })?;
-        keeps(page, &native).await?;
-        page.press("2").await?;
-        page.press("End").await?;
-        page.wait_for_text("#said", "FINISH").await?;
-        page.click("Drive the solved run").await?;
-        page.choose("[aria-label=Speed]", "512×").await?;
-        page.wait_for_text("#said", "FINISH").await
-    })
-    .await
-}
-
-#[tokio::test]
-async fn every_sample_opens_and_runs() -> Result<()> {
-    draw_room(Setup::default(), async |page| {
-        let samples = page.count(".shelf button").await?;
-        assert!(samples >= 10);
-        for sample in 1..=samples {
-            let button = format!(".shelf li:nth-child({sample}) button");
-            let title = page.attribute(&button, "title").await?;
-            page.click_css(&button).await?;
-            page.wait_for_text(".stage .bar b", &title).await?;
-            page.press("2").await?;
-            page.press("End").await?;
-            page.wait_for("#said .case, .side .card").await?;
-            page.press("1").await?;
-            page.wait_for("#drawing").await?;
-        }
-        page.click(&format!("All {samples}")).await?;
-        page.wait_for("dialog .all-samples").await?;
-        page.screenshot("samples").await?;
-        page.click_css("dialog .all-samples li:nth-child(1) button").await?;
-        page.wait_for_no("dialog").await
-    })
-    .await
-}
-
-#[tokio::test]
-async fn checks_point_to_the_place() -> Result<()> {
-    draw_room(Setup::default(), async |page| {
-        page.wait_for_text(".checks-card", "in order").await?;
-        // Without its last cell the finish is beside the line.
-        let last = between(page, (3.0, 4.5)).await?;
-        page.drag(&[last], Button::Right).await?;
-        page.wait_for_text(".checks-card", "Finish is not on a line").await?;
-        page.screenshot("checks").await?;
-        page.click("Show it").await?;
-        page.wait_for("#drawing .shown").await?;
-        let shown = page
-            .eval("document.querySelector('#drawing .shown rect').getBoundingClientRect().toJSON()")
-            .await?;
-        let (x, y) = at(page, FINISH).await?;
-        let inside = |low: &Value, at: f64, high: &Value| low.as_f64() < Some(at) && Some(at) < high.as_f64();
-        assert!(
-            inside(&shown["left"], x, &shown["right"]) && inside(&shown["top"], y, &shown["bottom"]),
-            "{shown}"
-        );
-        page.click("Show it").await?;
-        page.wait_for_no("#drawing .shown").await?;
-        page.press("Control+z").await?;
-        page.wait_for_text(".checks-card", "in order").await
     })
     .await
 }

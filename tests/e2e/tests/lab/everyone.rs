@@ -7,6 +7,8 @@ use anyhow::{Context, Result};
 use e2e::{Page, Setup, lab, root};
 use serde_json::{Value, json};
 
+use crate::drawing::from_menu;
+
 /// The dialogs that a key or a button of the head opens.
 const DIALOGS: [&str; 3] = ["Keys", "Share", "Settings of the run: S → R → L"];
 
@@ -50,6 +52,54 @@ async fn everything_fits_a_phone() -> Result<()> {
     everything_fits(Setup::default().touch().size(390, 844), "phone").await
 }
 
+/// Goes through everything, and looks at each.
+async fn tour(page: &Page, name: &str, look: &mut impl AsyncFnMut(&str) -> Result<()>) -> Result<()> {
+    look("the start").await?;
+    page.press_times("PageDown", 13).await?;
+    page.click_css(".errata-notes > summary").await?;
+    look("stop 13").await?;
+    page.screenshot(&format!("step-{name}")).await?;
+    page.press("End").await?;
+    page.click("C array").await?;
+    look("the finish").await?;
+    for key in ["?", "g", "o"] {
+        page.press(key).await?;
+        page.wait_for("dialog[open]").await?;
+        look(key).await?;
+        page.press("Escape").await?;
+        page.wait_for_no("dialog").await?;
+    }
+    page.click_css("header [aria-label=Share]").await?;
+    page.wait_for("dialog .qr").await?;
+    look("the share dialog").await?;
+    page.press("Escape").await?;
+    page.wait_for_no("dialog").await?;
+    page.press("p").await?;
+    page.wait_for(".projector").await?;
+    look("the projector").await?;
+    page.press("1").await?;
+    page.wait_for("#drawing").await?;
+    look("Draw").await?;
+    page.screenshot(&format!("draw-{name}")).await?;
+    page.click("Generate").await?;
+    page.wait_for("#gen-width").await?;
+    look("the generator").await?;
+    page.press("Escape").await?;
+    page.wait_for_no(".generator").await?;
+    from_menu(page, "New…").await?;
+    page.wait_for("dialog[open] #new-width").await?;
+    look("a new maze").await?;
+    page.press("Escape").await?;
+    page.wait_for_no("dialog").await?;
+    page.click_css("#drawn-as button:nth-child(2)").await?;
+    page.wait_for("#drawing svg.walls").await?;
+    look("walls").await?;
+    page.screenshot(&format!("walls-{name}")).await?;
+    page.press("2").await?;
+    page.wait_for("svg.maze.walls[data-stop]").await?;
+    look("walls, stepped").await
+}
+
 async fn everything_fits(setup: Setup, device: &str) -> Result<()> {
     lab(setup, async |page| {
         let mut found = BTreeSet::new();
@@ -60,32 +110,7 @@ async fn everything_fits(setup: Setup, device: &str) -> Result<()> {
             );
             Ok(())
         };
-        look("the start").await?;
-        page.press_times("PageDown", 13).await?;
-        look("stop 13").await?;
-        page.screenshot(&format!("step-{device}")).await?;
-        page.press("End").await?;
-        page.click("C array").await?;
-        look("the finish").await?;
-        for key in ["?", "g", "o"] {
-            page.press(key).await?;
-            page.wait_for("dialog[open]").await?;
-            look(key).await?;
-            page.press("Escape").await?;
-            page.wait_for_no("dialog").await?;
-        }
-        page.click_css("header [aria-label=Share]").await?;
-        page.wait_for("dialog .qr").await?;
-        look("the share dialog").await?;
-        page.press("Escape").await?;
-        page.wait_for_no("dialog").await?;
-        page.press("p").await?;
-        page.wait_for(".projector").await?;
-        look("the projector").await?;
-        page.press("1").await?;
-        page.wait_for("#drawing").await?;
-        look("Draw").await?;
-        page.screenshot(&format!("draw-{device}")).await?;
+        tour(page, device, &mut look).await?;
         assert!(found.is_empty(), "{}", found.into_iter().collect::<Vec<_>>().join("\n"));
         Ok(())
     })
@@ -125,31 +150,7 @@ async fn has_no_barriers(theme: &'static str) -> Result<()> {
             Ok(())
         };
         assert_eq!(page.attribute("html", "data-theme").await?, theme);
-        look("the start").await?;
-        page.press_times("PageDown", 13).await?;
-        page.click_css(".errata-notes > summary").await?;
-        look("stop 13").await?;
-        page.screenshot(&format!("step-{theme}")).await?;
-        page.press("End").await?;
-        page.click("C array").await?;
-        look("the finish").await?;
-        for key in ["?", "g", "o"] {
-            page.press(key).await?;
-            page.wait_for("dialog[open]").await?;
-            look(key).await?;
-            page.press("Escape").await?;
-            page.wait_for_no("dialog").await?;
-        }
-        page.click("Share").await?;
-        page.wait_for("dialog .qr").await?;
-        look("the share dialog").await?;
-        page.press("Escape").await?;
-        page.press("1").await?;
-        page.wait_for("#drawing").await?;
-        look("Draw").await?;
-        page.press("p").await?;
-        page.wait_for(".projector").await?;
-        look("the projector").await?;
+        tour(page, theme, &mut look).await?;
         assert!(found.is_empty(), "{}", found.into_iter().collect::<Vec<_>>().join("\n\n"));
         Ok(())
     })

@@ -1,9 +1,13 @@
 //! The lab as people use it, in a real browser.
 
 mod draw;
+mod draw_help;
+mod drawing;
 mod everyone;
 mod figure_3_1;
+mod files;
 mod offline;
 mod share;
 mod step;
 mod trouble;
+mod walls;

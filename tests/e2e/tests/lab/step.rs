@@ -99,16 +99,16 @@ async fn stop_13_runs_line_by_line() -> Result<()> {
         page.press_times("PageDown", 12).await?;
         shows_stop(page, 12).await?;
         let marked = async |class: &str| page.texts(&format!(".code > .{class} > .ln")).await;
-        for (i, line) in LINES.into_iter().enumerate() {
-            page.press("ArrowDown").await?;
-            assert_eq!(marked("ran").await?, [line]);
-            assert_eq!(marked("next").await?, [*LINES.get(i + 1).unwrap_or(&"2")], "after {line}");
+        let forth = (0..LINES.len()).map(|line| ("ArrowDown", line));
+        let back = (0..LINES.len() - 1).rev().map(|line| ("ArrowUp", line));
+        for (key, line) in forth.chain(back) {
+            page.press(key).await?;
+            assert_eq!(marked("ran").await?, [LINES[line]]);
+            assert_eq!(marked("next").await?, [*LINES.get(line + 1).unwrap_or(&"2")], "after {line}");
             assert_eq!(page.text(".code > .ran > .tag").await?, "ran");
-        }
-        shows_stop(page, 13).await?;
-        for line in LINES.into_iter().rev().skip(1) {
-            page.press("ArrowUp").await?;
-            assert_eq!(marked("ran").await?, [line]);
+            if line + 1 == LINES.len() {
+                shows_stop(page, 13).await?;
+            }
         }
         // Before its last line has run, returning is as it was.
         assert_eq!(page.text("[data-var=returning] > span").await?, "false");
