@@ -7,9 +7,9 @@ use super::state::{Dialog, Lab, Room, Round, lab};
 use crate::maze::Kind;
 
 mod code;
-mod now;
-mod result;
-mod scene;
+pub mod now;
+pub mod result;
+pub mod scene;
 mod table;
 pub mod transport;
 
@@ -26,7 +26,7 @@ pub fn StepRoom() -> impl IntoView {
             <h1 class="vh">"Step"</h1>
             <section class="stage" aria-label="Maze">
                 <div>
-                    <StageBar />
+                    <StageBar><Legend /></StageBar>
                     <super::notes::BrokenLink />
                 </div>
                 <Stage />
@@ -54,7 +54,7 @@ pub fn StepRoom() -> impl IntoView {
 
 /// The maze's name and size, the legend, robot's eye.
 #[component]
-fn StageBar() -> impl IntoView {
+pub fn StageBar(children: Children) -> impl IntoView {
     let lab = lab();
     let title = move || {
         lab.maze.with(|maze| {
@@ -79,7 +79,7 @@ fn StageBar() -> impl IntoView {
             <span class="hide-s">{size}</span>
             {part(move || wall().then(|| view! { <span class="case info">"walls, shown as lines"</span> }))}
             <span class="spacer"></span>
-            <Legend />
+            {children()}
             <button
                 class="btn"
                 aria-pressed=sig(move || lab.robots_eye.get().to_string())
@@ -123,7 +123,7 @@ fn Legend() -> impl IntoView {
 
 /// Where the bot cannot be put down: why, and the way to the cure.
 #[component]
-fn CannotRun(why: String) -> impl IntoView {
+pub fn CannotRun(why: String) -> impl IntoView {
     let lab = lab();
     view! {
         <section class="card" aria-live="polite">
