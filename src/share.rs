@@ -136,7 +136,8 @@ pub fn decode(payload: &str) -> Result<Shared, ShareError> {
     if CRC.checksum(body) != u32::from_be_bytes(*checksum) {
         return Err(ShareError::Damaged);
     }
-    let shared = read(version, body.get(HEAD..).unwrap_or_default()).map_err(|Malformed| ShareError::Damaged)?;
+    let shared =
+        read(version, body.get(HEAD..).unwrap_or_default()).map_err(|Malformed| ShareError::Damaged)?;
     // One content, one payload: whatever else could be read as the same is refused.
     if encode(&shared).as_deref() == Ok(payload) { Ok(shared) } else { Err(ShareError::Damaged) }
 }

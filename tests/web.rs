@@ -6,9 +6,9 @@
 use std::cell::RefCell;
 use std::rc::Rc;
 
+use line_maze_lab::explorer::name::Name;
 use line_maze_lab::geometry::{Heading, Point};
 use line_maze_lab::gesture::{nearest_cell, nearest_point};
-use line_maze_lab::explorer::name::Name;
 use line_maze_lab::maze::generate::{Recipe, generate};
 use line_maze_lab::maze::{Bounds, samples, text};
 use line_maze_lab::route::TurnList;

@@ -27,10 +27,9 @@ pub fn Dialogs() -> impl IntoView {
                         }
                         Dialog::Settings => super::others::settings().await,
                         Dialog::TurnList => super::others::turn_list().await,
-                        Dialog::Keys
-                        | Dialog::Glossary(_)
-                        | Dialog::Errata
-                        | Dialog::Share => opened(dialog).await,
+                        Dialog::Keys | Dialog::Glossary(_) | Dialog::Errata | Dialog::Share => {
+                            opened(dialog).await
+                        }
                     }
                 }
             })

@@ -61,7 +61,10 @@ fn choice(
 #[component]
 fn RuleField() -> impl IntoView {
     let lab = lab();
-    let options = [("special-1", "special case 1: wherever it was on the path"), ("basic", "basic: only where it was two steps ago")];
+    let options = [
+        ("special-1", "special case 1: wherever it was on the path"),
+        ("basic", "basic: only where it was two steps ago"),
+    ];
     let basic = sig(move || lab.settings.with(|settings| settings.rule == Rule::Basic));
     choice("rule", "Rule: when the path is cut", options, basic, move |basic| {
         lab.set(|settings| settings.rule = if basic { Rule::Basic } else { Rule::Special1 });
@@ -81,7 +84,8 @@ fn SearchField() -> impl IntoView {
 #[component]
 fn PathMaxField() -> impl IntoView {
     let lab = lab();
-    let value = move || lab.settings.with(|settings| settings.path_max).map(|n| n.to_string()).unwrap_or_default();
+    let value =
+        move || lab.settings.with(|settings| settings.path_max).map(|n| n.to_string()).unwrap_or_default();
     view! {
         <NumberField id="path-max" label="Squares that the path can hold; the article has 48" value=Signal::derive(value)
             placeholder=Signal::derive(|| "no limit".to_owned())
@@ -95,7 +99,9 @@ fn PathMaxField() -> impl IntoView {
 #[component]
 fn CostFields() -> impl IntoView {
     let lab = lab();
-    let number = move |of: fn(&Pace) -> f64| Signal::derive(move || lab.settings.with(|settings| of(&settings.pace).to_string()));
+    let number = move |of: fn(&Pace) -> f64| {
+        Signal::derive(move || lab.settings.with(|settings| of(&settings.pace).to_string()))
+    };
     let checked = move |pace: Pace| lab.maze.with_untracked(|maze| pace.checked(maze.scale).ok());
     let read = move |change: fn(&mut Pace, f64)| {
         move |text: &str| {

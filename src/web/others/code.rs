@@ -32,7 +32,8 @@ pub fn card(watched: Watched) -> AnyView {
         let is_last = move || last() == Some(line);
         let is_next = move || lines.with(|(_, next)| *next == Some(line));
         let did = move || lines.with(|(ran, _)| ran.contains(&line));
-        let (code, comment) = text.split_once('#').map_or((text, None), |(code, comment)| (code, Some(comment)));
+        let (code, comment) =
+            text.split_once('#').map_or((text, None), |(code, comment)| (code, Some(comment)));
         view! {
             <li class:ran=sig(is_last) class:next=sig(is_next) class:did=sig(did) aria-current=sig(move || is_last().then_some("step"))>
                 <span class="ln">{line + 1}</span>

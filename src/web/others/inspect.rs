@@ -24,7 +24,8 @@ const SHOWN: usize = 60;
 
 /// The card.
 pub fn card(watched: Watched) -> AnyView {
-    let mapped = Memo::new(move |_| watched.at(|run, at| at.is_end(run) && matches!(at.mind, Mind::Mapping(_))));
+    let mapped =
+        Memo::new(move |_| watched.at(|run, at| at.is_end(run) && matches!(at.mind, Mind::Mapping(_))));
     view! {
         <section class="card inspector" aria-labelledby="inspector-title">
             <h2 id="inspector-title">{part(move || watched.at(|_, at| title(&at.mind)))}</h2>

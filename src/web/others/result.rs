@@ -4,7 +4,6 @@ use leptos::prelude::*;
 
 use super::Watched;
 use super::run::OtherRun;
-use crate::explorer::mind::Robot;
 use crate::route::forms::{self, Form};
 use crate::route::{Corners, TurnList};
 use crate::web::browser;
@@ -101,7 +100,8 @@ fn export(watched: Watched) -> AnyView {
     let text = Memo::new(move |_| {
         let corners = if corners.get() { Corners::Listed } else { Corners::LeftOut };
         watched.of(|run| {
-            list(run, corners).map_or_else(String::new, |list| forms::write(&list, form.get(), corners, &title(&run.maze)))
+            list(run, corners)
+                .map_or_else(String::new, |list| forms::write(&list, form.get(), corners, &title(&run.maze)))
         })
     });
     let choose = move |event: web_sys::Event| {

@@ -139,19 +139,9 @@ impl At {
         Self { mind, whole, lines: if whole { all } else { lines }, stop }
     }
 
-    /// The line that ran last.
-    pub fn ran(&self) -> Option<u8> {
-        self.stop.said.lines()[..self.lines].last().copied()
-    }
-
     /// The line that runs next at this stop.
     pub fn next(&self) -> Option<u8> {
         self.stop.said.lines().get(self.lines).copied()
-    }
-
-    /// Whether a line has run at this stop.
-    pub fn has_run(&self, line: u8) -> bool {
-        self.stop.said.lines()[..self.lines].contains(&line)
     }
 
     /// Whether the run is over.

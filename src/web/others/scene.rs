@@ -27,7 +27,9 @@ pub fn stage(watched: Watched) -> AnyView {
         watched.of(|run| {
             let bounds = run.maze.bounds();
             let stop = stop.get();
-            paths::cells((bounds.sw(), bounds.ne()), |at, heading| run.driven.times((at, heading), stop) == times)
+            paths::cells((bounds.sw(), bounds.ne()), |at, heading| {
+                run.driven.times((at, heading), stop) == times
+            })
         })
     };
     let known = Box::new(move |at| watched.of(|run| run.driven.passed(at, stop.get())));
@@ -63,7 +65,8 @@ pub fn stage(watched: Watched) -> AnyView {
 
 /// What the strokes mean.
 pub fn legend(watched: Watched) -> AnyView {
-    let path = Memo::new(move |_| watched.at(|_, at| matches!(at.mind, crate::explorer::mind::Mind::Parex(_))));
+    let path =
+        Memo::new(move |_| watched.at(|_, at| matches!(at.mind, crate::explorer::mind::Mind::Parex(_))));
     let stroke = |class: &'static str, word: &'static str| {
         view! {
             <span>
@@ -172,5 +175,9 @@ fn names(run: &OtherRun, at: &At) -> String {
 fn describe(run: &OtherRun, stop: u32) -> String {
     let Point { x, y } = run.recording.place(stop);
     let heading: Heading = run.recording.step(stop).heading();
-    format!("Maze at stop {stop} of {}: the bot is at {x},{y}, come {}wards", run.recording.stops(), heading.word())
+    format!(
+        "Maze at stop {stop} of {}: the bot is at {x},{y}, come {}wards",
+        run.recording.stops(),
+        heading.word()
+    )
 }

@@ -68,7 +68,9 @@ fn searched(map: &Mapping, aim: Aim, steps: usize) -> String {
         Aim::Shortest => |cost: u64| format!("{cost} ms of driving"),
         Aim::Quickest => |cost: u64| format!("{:.2} s", cost as f64 / 1e9),
     };
-    let mut markup = String::from("<table class=\"settled\"><thead><tr><th scope=\"col\">settled</th><th scope=\"col\">its least cost</th></tr></thead><tbody>");
+    let mut markup = String::from(
+        "<table class=\"settled\"><thead><tr><th scope=\"col\">settled</th><th scope=\"col\">its least cost</th></tr></thead><tbody>",
+    );
     for step in &settled[settled.len().saturating_sub(SHOWN)..] {
         let _ = write!(markup, "<tr><td>{}</td><td>{}</td></tr>", step.point, unit(step.cost));
     }
@@ -89,8 +91,9 @@ fn words(points: &[u32]) -> String {
 }
 
 /// Both routes, as the robot would find them.
-fn routes(map: &Mapping) -> impl IntoView {
-    let route = |aim| map.route(aim).map_or_else(|| "none: no finish was found".to_owned(), |path| words(&path));
+fn routes(map: &Mapping) -> impl IntoView + use<> {
+    let route =
+        |aim| map.route(aim).map_or_else(|| "none: no finish was found".to_owned(), |path| words(&path));
     view! {
         <dl class="routes">
             <div><dt>"Shortest path"</dt><dd class="mono">{route(Aim::Shortest)}</dd></div>

@@ -18,7 +18,8 @@ const MOST: usize = 2000;
 #[component]
 pub fn TurnLab() -> impl IntoView {
     let lab = lab();
-    let first = untrack(|| lab.shown(|run| run.list().map(ToString::to_string))).flatten().unwrap_or_default();
+    let first =
+        untrack(|| lab.shown(|run| run.list().map(ToString::to_string))).flatten().unwrap_or_default();
     let text = RwSignal::new(first);
     let steps = RwSignal::new(0_usize);
     let corners = RwSignal::new(false);
@@ -31,9 +32,8 @@ pub fn TurnLab() -> impl IntoView {
     });
     let ok = move || list.with(|list| list.as_ref().ok().cloned()).unwrap_or_default();
     let reductions = Memo::new(move |_| paper::reductions(&ok()).0);
-    let shown = Memo::new(move |_| {
-        reductions.with(|all| paper::after(&ok(), &all[..steps.get().min(all.len())]))
-    });
+    let shown =
+        Memo::new(move |_| reductions.with(|all| paper::after(&ok(), &all[..steps.get().min(all.len())])));
     let put = move |letters: String| {
         steps.set(0);
         text.set(letters);
@@ -84,7 +84,11 @@ fn stages(list: &TurnList, reductions: &[paper::Reduction], steps: usize) -> imp
             let three = reductions.get(done).map(|next| next.at..next.at + 3);
             let letter = |(i, turn): (usize, &crate::geometry::Turn)| {
                 let marked = three.as_ref().is_some_and(|three| three.contains(&i));
-                if marked { view! { <mark>{turn.letter()}</mark> }.into_any() } else { turn.letter().into_any() }
+                if marked {
+                    view! { <mark>{turn.letter()}</mark> }.into_any()
+                } else {
+                    turn.letter().into_any()
+                }
             };
             let letters = turns.turns().iter().enumerate().map(letter).collect_view();
             let note = reductions.get(done).map(|next| {

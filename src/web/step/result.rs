@@ -66,7 +66,8 @@ pub fn title(maze: &Maze) -> String {
 pub fn Letters() -> impl IntoView {
     let lab = lab();
     let letters = move || {
-        let of = |run: &dyn Played| Some(run.list()?.turns().iter().map(|turn| turn.letter()).collect::<Vec<_>>());
+        let of =
+            |run: &dyn Played| Some(run.list()?.turns().iter().map(|turn| turn.letter()).collect::<Vec<_>>());
         lab.shown(of).flatten().unwrap_or_default()
     };
     // In round 2 the letter that was used last is marked.

@@ -5,8 +5,8 @@ use leptos::html;
 use leptos::prelude::*;
 
 use crate::playback::{Command, Mark, SPEEDS, Timeline, Unit};
-use crate::web::played;
 use crate::trace::Moment;
+use crate::web::played;
 use crate::web::state::{Lab, Round, lab};
 use crate::web::{browser, icons};
 
@@ -216,7 +216,11 @@ fn EventPicker() -> impl IntoView {
     let choose = move |event: web_sys::Event| {
         browser::let_go(&event);
         let index: usize = event_target_value(&event).parse().unwrap_or(0);
-        kind.set(index.checked_sub(1).and_then(|index| kinds.with(|kinds| kinds.get(index).map(|(mark, _)| *mark))));
+        kind.set(
+            index
+                .checked_sub(1)
+                .and_then(|index| kinds.with(|kinds| kinds.get(index).map(|(mark, _)| *mark))),
+        );
     };
     view! {
         <span class="group">

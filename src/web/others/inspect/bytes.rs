@@ -39,7 +39,11 @@ pub fn markup(mind: &Cornell) -> String {
     );
     if !mind.route().is_empty() {
         let (tx, ty) = mind.target();
-        let _ = write!(markup, "<p class=\"small\">On its route to <b>{tx},{ty}</b>: {} squares are left.</p>", mind.route().len() + 1);
+        let _ = write!(
+            markup,
+            "<p class=\"small\">On its route to <b>{tx},{ty}</b>: {} squares are left.</p>",
+            mind.route().len() + 1
+        );
     }
     markup.push_str(&base(squares, here));
     markup
@@ -88,17 +92,30 @@ fn grid(squares: &Squares, here: usize) -> String {
         let _ = write!(markup, "<text class=\"axis\" x=\"-13\" y=\"{}\">{y}</text>", y * SIDE + SIDE / 2 + 4);
     }
     let (w, h) = (width * SIDE, height * SIDE);
-    let _ = write!(markup, "<path class=\"sq-walls\" d=\"{}\"/><rect class=\"sq-edge\" width=\"{w}\" height=\"{h}\"/>", walls(squares, SIDE));
+    let _ = write!(
+        markup,
+        "<path class=\"sq-walls\" d=\"{}\"/><rect class=\"sq-edge\" width=\"{w}\" height=\"{h}\"/>",
+        walls(squares, SIDE)
+    );
     for (place, byte) in squares.bytes().iter().enumerate() {
         let (x, y) = (place % width * SIDE + SIDE / 2, place / width * SIDE + 26);
         if byte & VISITED == 0 {
             let _ = write!(markup, "<text class=\"byte un\" x=\"{x}\" y=\"{y}\">0</text>");
         } else {
-            let _ = write!(markup, "<text class=\"byte\" x=\"{x}\" y=\"{y}\">1 {:04b}</text><text class=\"hex\" x=\"{x}\" y=\"{}\">{byte:02X}</text>", byte & 0b1111, y + 18);
+            let _ = write!(
+                markup,
+                "<text class=\"byte\" x=\"{x}\" y=\"{y}\">1 {:04b}</text><text class=\"hex\" x=\"{x}\" y=\"{}\">{byte:02X}</text>",
+                byte & 0b1111,
+                y + 18
+            );
         }
     }
     let (x, y) = (here % width * SIDE + 3, here / width * SIDE + 3);
-    let _ = write!(markup, "<rect class=\"sq-here\" x=\"{x}\" y=\"{y}\" width=\"{0}\" height=\"{0}\" rx=\"5\"/></svg>", SIDE - 6);
+    let _ = write!(
+        markup,
+        "<rect class=\"sq-here\" x=\"{x}\" y=\"{y}\" width=\"{0}\" height=\"{0}\" rx=\"5\"/></svg>",
+        SIDE - 6
+    );
     markup
 }
 

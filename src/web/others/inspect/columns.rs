@@ -9,7 +9,8 @@ use crate::explorer::mapping::{Column, Mapping};
 pub fn markup(mind: &Mapping, over: bool) -> String {
     let visits = mind.visits();
     let mut markup = earlier(visits);
-    let columns: Vec<Column> = (visits.saturating_sub(SHOWN)..visits).filter_map(|visit| mind.column(visit)).collect();
+    let columns: Vec<Column> =
+        (visits.saturating_sub(SHOWN)..visits).filter_map(|visit| mind.column(visit)).collect();
     let here = columns.last().map(|column| column.point);
     let last = columns.len();
     let class = |i: usize, column: &Column| match () {
@@ -19,7 +20,11 @@ pub fn markup(mind: &Mapping, over: bool) -> String {
         () => "",
     };
     let line = |markup: &mut String, name: &str, of: &dyn Fn(&Column) -> i32| {
-        row(markup, name, columns.iter().enumerate().map(|(i, column)| (class(i, column), of(column).to_string())));
+        row(
+            markup,
+            name,
+            columns.iter().enumerate().map(|(i, column)| (class(i, column), of(column).to_string())),
+        );
     };
     markup.push_str("<table class=\"cols\" aria-label=\"Arrays, one column a visit\">");
     line(&mut markup, "Point", &|column| column.point as i32);
@@ -28,7 +33,11 @@ pub fn markup(mind: &Mapping, over: bool) -> String {
     line(&mut markup, "CoOr_X", &|column| mind.cell(column.point).x);
     line(&mut markup, "CoOr_Y", &|column| mind.cell(column.point).y);
     markup.push_str("</table><p class=\"keys small\"><span><i class=\"now\"></i>this visit</span><span><i class=\"same\"></i>the same point before</span><span><i class=\"open\"></i>ways left</span></p>");
-    let _ = write!(markup, "<p class=\"small\"><code>Total_points</code> {}; coordinates in cells</p>", mind.total_points());
+    let _ = write!(
+        markup,
+        "<p class=\"small\"><code>Total_points</code> {}; coordinates in cells</p>",
+        mind.total_points()
+    );
     if over {
         adjacency(&mut markup, mind);
     }

@@ -20,7 +20,8 @@ pub fn markup(mind: &FloodFill, here: Point) -> String {
     };
     let mut markup = format!("<p>Its own number: <b>{number}</b></p>");
     if field.width > MOST || field.height > MOST {
-        return markup + "<p class=\"small\">The field is large; the maze shows the numbers when it is zoomed in.</p>";
+        return markup
+            + "<p class=\"small\">The field is large; the maze shows the numbers when it is zoomed in.</p>";
     }
     let (width, height) = (field.width as usize, field.height as usize);
     let _ = write!(
@@ -37,7 +38,10 @@ pub fn markup(mind: &FloodFill, here: Point) -> String {
         let at = Point::new(column as i32, height as i32 - 1 - row as i32);
         if field.from_start(at) == here {
             let (x, y, side) = (x + 3, y + 3, SIDE - 6);
-            let _ = write!(markup, "<rect class=\"sq-here\" x=\"{x}\" y=\"{y}\" width=\"{side}\" height=\"{side}\" rx=\"5\"/>");
+            let _ = write!(
+                markup,
+                "<rect class=\"sq-here\" x=\"{x}\" y=\"{y}\" width=\"{side}\" height=\"{side}\" rx=\"5\"/>"
+            );
         }
         for heading in Heading::ALL.into_iter().filter(|&heading| byte & wall(heading) != 0) {
             let data = match heading {
@@ -52,7 +56,13 @@ pub fn markup(mind: &FloodFill, here: Point) -> String {
             None | Some(&INFINITE) => "∞".to_owned(),
             Some(number) => number.to_string(),
         };
-        let _ = write!(markup, "<text class=\"byte\" x=\"{}\" y=\"{}\">{number}</text>", x + SIDE / 2, y + SIDE / 2 + 5);
+        let _ = write!(
+            markup,
+            "<text class=\"byte\" x=\"{}\" y=\"{}\">{number}</text>",
+            x + SIDE / 2,
+            y + SIDE / 2 + 5
+        );
     }
-    markup + "</svg><p class=\"small\">Walls are drawn as far as they are known; every other side counts as open.</p>"
+    markup
+        + "</svg><p class=\"small\">Walls are drawn as far as they are known; every other side counts as open.</p>"
 }

@@ -13,7 +13,9 @@ pub fn markup(mind: &Tremaux, cell_ms: u32) -> String {
         return "<p class=\"small\">No node yet: there is nothing to mark.</p>".to_owned();
     }
     let mut markup = earlier(nodes.len());
-    markup.push_str("<table class=\"nodes\"><thead><tr><th scope=\"col\">#</th><th scope=\"col\">x, y cells</th>");
+    markup.push_str(
+        "<table class=\"nodes\"><thead><tr><th scope=\"col\">#</th><th scope=\"col\">x, y cells</th>",
+    );
     for heading in Heading::ALL {
         let _ = write!(markup, "<th scope=\"col\">{heading}</th>");
     }
@@ -29,7 +31,10 @@ pub fn markup(mind: &Tremaux, cell_ms: u32) -> String {
                 (false, _) => write!(markup, "<td>·</td>"),
                 (true, count) => {
                     let chalk = ["", "|", "||"][usize::from(count.min(2))];
-                    write!(markup, "<td><b>{count}</b> <span class=\"chalked\" aria-hidden=\"true\">{chalk}</span></td>")
+                    write!(
+                        markup,
+                        "<td><b>{count}</b> <span class=\"chalked\" aria-hidden=\"true\">{chalk}</span></td>"
+                    )
                 }
             };
         }

@@ -18,7 +18,11 @@ pub fn markup(now: &Parex, before: Option<&Parex>) -> String {
         Rule::Basic => "basic rule",
         Rule::Special1 => "special case 1",
     };
-    let _ = write!(markup, "<p><code>CSIP</code> = <b>{csip}</b> <span class=\"small\">· {rule} · up is {} more</span></p>", now.numbering().width);
+    let _ = write!(
+        markup,
+        "<p><code>CSIP</code> = <b>{csip}</b> <span class=\"small\">· {rule} · up is {} more</span></p>",
+        now.numbering().width
+    );
     markup.push_str(&earlier(csip));
     let first = csip.saturating_sub(SHOWN);
     let class = |i: usize| if i + 1 == csip { "now" } else { "" };
@@ -28,7 +32,11 @@ pub fn markup(now: &Parex, before: Option<&Parex>) -> String {
     markup.push_str("<table class=\"cols path\" aria-label=\"Path\">");
     row(&mut markup, "P", places.chain(gone));
     let squares = kept().map(|(i, square)| (class(i), square.to_string()));
-    row(&mut markup, "Path(P)", squares.chain(cut.iter().map(|square| ("cut", format!("<del>{square}</del> 0")))));
+    row(
+        &mut markup,
+        "Path(P)",
+        squares.chain(cut.iter().map(|square| ("cut", format!("<del>{square}</del> 0")))),
+    );
     markup.push_str("</table>");
     markup
 }

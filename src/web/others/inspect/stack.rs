@@ -13,7 +13,8 @@ pub fn markup(mind: &DepthFirst, cell_ms: u32) -> String {
         return "<p class=\"small\">No node yet: the stack is empty.</p>".to_owned();
     }
     let way = mind.way();
-    let stack: Vec<String> = way.iter().skip(way.len().saturating_sub(SHOWN)).map(|node| (node + 1).to_string()).collect();
+    let stack: Vec<String> =
+        way.iter().skip(way.len().saturating_sub(SHOWN)).map(|node| (node + 1).to_string()).collect();
     let mut markup = format!("<p>Stack: <span class=\"mono\">{}</span></p>", stack.join(" → "));
     markup.push_str(&earlier(nodes.len()));
     markup.push_str("<table class=\"nodes\"><thead><tr><th scope=\"col\">#</th><th scope=\"col\">x, y cells</th><th scope=\"col\">ways</th><th scope=\"col\">first entry</th></tr></thead><tbody>");
@@ -26,8 +27,12 @@ pub fn markup(mind: &DepthFirst, cell_ms: u32) -> String {
             let word = heading.word();
             let _ = match (node.ways.has(heading), node.used.has(heading)) {
                 (false, _) => write!(markup, "<span class=\"d no\" title=\"{word}: no path\">·</span>"),
-                (true, false) => write!(markup, "<span class=\"d on\" title=\"{word}: unused\">{heading}</span>"),
-                (true, true) => write!(markup, "<span class=\"d seen\" title=\"{word}: used\">{heading}</span>"),
+                (true, false) => {
+                    write!(markup, "<span class=\"d on\" title=\"{word}: unused\">{heading}</span>")
+                }
+                (true, true) => {
+                    write!(markup, "<span class=\"d seen\" title=\"{word}: used\">{heading}</span>")
+                }
             };
         }
         let entry = node.entry.map_or("–", Heading::word);

@@ -16,7 +16,10 @@ pub fn markup(mind: &Sums) -> String {
         std::cmp::Ordering::Equal => "now",
         std::cmp::Ordering::Greater => "next",
     };
-    let _ = write!(markup, "<p><code>j</code> = <b>{j}</b> <span class=\"small\">· 1 right, 2 front, 3 left, 0 down</span></p>");
+    let _ = write!(
+        markup,
+        "<p><code>j</code> = <b>{j}</b> <span class=\"small\">· 1 right, 2 front, 3 left, 0 down</span></p>"
+    );
     markup.push_str("<table class=\"cols\" aria-label=\"a\">");
     row(&mut markup, "j", shown().map(|(i, _)| (class(i), i.to_string())));
     row(&mut markup, "a[j]", shown().map(|(i, sum)| (class(i), sum.to_string())));
@@ -25,7 +28,9 @@ pub fn markup(mind: &Sums) -> String {
     if mind.a().is_empty() {
         markup.push_str("<p class=\"small\">No junction yet: the first one gives a[1].</p>");
     } else if mind.a().len() as i32 > j.max(0) {
-        markup.push_str("<p class=\"small\">Hatched: its junction is met again on the way back, and the sum goes on.</p>");
+        markup.push_str(
+            "<p class=\"small\">Hatched: its junction is met again on the way back, and the sum goes on.</p>",
+        );
     }
     markup
 }
