@@ -4,6 +4,7 @@ mod draw;
 mod everyone;
 mod figure_3_1;
 mod offline;
+mod others;
 mod share;
 mod step;
 mod trouble;
