@@ -33,6 +33,7 @@ pub fn App() -> impl IntoView {
     let on_hash =
         window_event_listener(leptos::ev::hashchange, move |_| follow_address(lab, browser::hash().as_str()));
     on_cleanup(move || on_hash.remove());
+    let book = Memo::new(move |_| lab.by_the_book());
     view! {
         <div class="app" class:projecting=sig(move || lab.projector.get())>
             <a class="vh skip" href="#main" on:click=mouse(move |event| { event.prevent_default(); browser::focus("main"); })>"Skip to the maze"</a>
@@ -40,8 +41,8 @@ pub fn App() -> impl IntoView {
             {part(move || match (lab.projector.get(), lab.room.get()) {
                 _ if lab.link_coming.get() => lazy::arriving(),
                 (false, Room::Draw) => lazy::view(draw::room),
-                (true, _) if !lab.by_the_book() => lazy::view(others::projector),
-                (false, Room::Step) if !lab.by_the_book() => lazy::view(others::room),
+                (true, _) if !book.get() => lazy::view(others::projector),
+                (false, Room::Step) if !book.get() => lazy::view(others::room),
                 (true, _) => view! { <Projector /> }.into_any(),
                 (false, Room::Step) => view! { <StepRoom /> }.into_any(),
             })}

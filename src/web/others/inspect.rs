@@ -3,6 +3,7 @@
 
 use std::fmt::Write;
 
+use leptos::html;
 use leptos::prelude::*;
 
 use super::Watched;
@@ -26,10 +27,24 @@ const SHOWN: usize = 60;
 pub fn card(watched: Watched) -> AnyView {
     let mapped =
         Memo::new(move |_| watched.at(|run, at| at.is_end(run) && matches!(at.mind, Mind::Mapping(_))));
+    let body = NodeRef::<html::Div>::new();
+    // The newest column stays in sight without moving the page.
+    Effect::new(move |_| {
+        let Some(div) = body.get() else { return };
+        watched.at(|_, at| at.stop.stop);
+        request_animation_frame(move || {
+            let Ok(Some(now)) = div.query_selector(".cols .now, .cols td:last-child") else { return };
+            let (inner, outer) = (now.get_bounding_client_rect(), div.get_bounding_client_rect());
+            let off = inner.right() - outer.right() + 24.0;
+            if off > 0.0 || inner.left() < outer.left() + 80.0 {
+                div.set_scroll_left((f64::from(div.scroll_left()) + off).max(0.0) as i32);
+            }
+        });
+    });
     view! {
         <section class="card inspector" aria-labelledby="inspector-title">
             <h2 id="inspector-title">{part(move || watched.at(|_, at| title(&at.mind)))}</h2>
-            <div class="insp" id="inspector" tabindex="0" role="region" aria-labelledby="inspector-title" inner_html=sig(move || watched.at(markup))></div>
+            <div class="insp" id="inspector" node_ref=body tabindex="0" role="region" aria-labelledby="inspector-title" inner_html=sig(move || watched.at(markup))></div>
             {part(move || mapped.get().then(|| super::search::panel(watched)))}
         </section>
     }

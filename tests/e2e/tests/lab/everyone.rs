@@ -79,6 +79,26 @@ async fn everything_fits(setup: Setup, device: &str) -> Result<()> {
         look("the share dialog").await?;
         page.press("Escape").await?;
         page.wait_for_no("dialog").await?;
+        for title in [
+            "Direction sums, right first",
+            "Full mapping",
+            "Cornell 3, with path planning",
+            "Trémaux’s marks",
+        ] {
+            page.press("o").await?;
+            page.choose("#explorer-name", title).await?;
+            page.press("Escape").await?;
+            page.wait_for_text("#explorer", title).await?;
+            page.wait_for("#inspector").await?;
+            page.press("End").await?;
+            page.wait_for("#result").await?;
+            look(title).await?;
+        }
+        page.press("t").await?;
+        page.wait_for("dialog #leads").await?;
+        look("the turn-list lab").await?;
+        page.press("Escape").await?;
+        page.wait_for_no("dialog").await?;
         page.press("p").await?;
         page.wait_for(".projector").await?;
         look("the projector").await?;
@@ -144,6 +164,27 @@ async fn has_no_barriers(theme: &'static str) -> Result<()> {
         page.wait_for("dialog .qr").await?;
         look("the share dialog").await?;
         page.press("Escape").await?;
+        page.wait_for_no("dialog").await?;
+        for title in [
+            "Direction sums, right first",
+            "Full mapping",
+            "Cornell 3, with path planning",
+            "Trémaux’s marks",
+        ] {
+            page.press("o").await?;
+            page.choose("#explorer-name", title).await?;
+            page.press("Escape").await?;
+            page.wait_for_text("#explorer", title).await?;
+            page.wait_for("#inspector").await?;
+            page.press("End").await?;
+            page.wait_for("#result").await?;
+            look(title).await?;
+        }
+        page.press("t").await?;
+        page.wait_for("dialog #leads").await?;
+        look("the turn-list lab").await?;
+        page.press("Escape").await?;
+        page.wait_for_no("dialog").await?;
         page.press("1").await?;
         page.wait_for("#drawing").await?;
         look("Draw").await?;
