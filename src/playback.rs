@@ -196,7 +196,7 @@ impl Playback {
     }
 
     /// Does what a person asks for.
-    pub fn apply(&mut self, command: Command, line: &impl Timeline) {
+    pub fn apply(&mut self, command: Command, line: &dyn Timeline) {
         let stop = self.moment.stop;
         match command {
             Command::Toggle if self.is_playing() => self.going = Going::Still,
@@ -228,7 +228,7 @@ impl Playback {
     }
 
     /// Lets time pass, in seconds.
-    pub fn tick(&mut self, dt_s: f64, line: &impl Timeline) {
+    pub fn tick(&mut self, dt_s: f64, line: &dyn Timeline) {
         // After a pause of the page itself (a hidden tab), time goes on where it stood.
         let dt_s = dt_s.clamp(0.0, 0.25);
         match self.going {
@@ -250,7 +250,7 @@ impl Playback {
     }
 
     /// Plays for `left_s` seconds at speed 1; that may be many stops.
-    fn play(&mut self, mut left_s: f64, mut rest_s: f64, line: &impl Timeline) {
+    fn play(&mut self, mut left_s: f64, mut rest_s: f64, line: &dyn Timeline) {
         loop {
             let pause = rest_s.min(left_s);
             rest_s -= pause;
@@ -290,7 +290,7 @@ impl Playback {
         }
     }
 
-    fn forward(&mut self, unit: Unit, line: &impl Timeline) {
+    fn forward(&mut self, unit: Unit, line: &dyn Timeline) {
         if let Going::On { to } = self.going {
             self.jump(to);
         }
@@ -311,7 +311,7 @@ impl Playback {
         }
     }
 
-    fn back(&mut self, unit: Unit, line: &impl Timeline) {
+    fn back(&mut self, unit: Unit, line: &dyn Timeline) {
         if self.along > 0.0 && self.going != Going::Home {
             // In the middle of a drive: back to where it began.
             match self.motion {
@@ -341,11 +341,11 @@ impl Playback {
         self.going = Going::Still;
     }
 
-    fn lines_left(&self, line: &impl Timeline) -> bool {
+    fn lines_left(&self, line: &dyn Timeline) -> bool {
         self.moment.stop > 0 && self.moment.lines < line.lines(self.moment.stop)
     }
 
-    fn at_end(&self, line: &impl Timeline) -> bool {
+    fn at_end(&self, line: &dyn Timeline) -> bool {
         self.moment.stop >= line.stops() && !self.lines_left(line)
     }
 }

@@ -19,6 +19,7 @@ use crate::maze::{Bounds, Start};
 use crate::playback::{Mark, Timeline};
 use crate::route::tally::Tally;
 
+pub mod driven;
 mod keys;
 
 use keys::Keys;

@@ -9,6 +9,8 @@ use crate::maze::Maze;
 use crate::route::Route;
 use crate::trace::{Moment, Row, Trace};
 
+pub mod recorded;
+
 /// How a cell of line is shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Trail {

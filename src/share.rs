@@ -3,7 +3,9 @@
 //!
 //! A payload is base64url without padding. Its bytes: version, length of the whole in two bytes, title, source,
 //! note, kind, sizes in micrometres, bounds, start, finish, two bits a point for the lines north and east of it,
-//! settings, stop, CRC-32. There is one payload for each content, and no other is accepted.
+//! settings, stop, CRC-32. Version 2 adds, before the CRC-32, the explorer, PAReX's rule and longest path, and
+//! the search of full mapping; where all these are as they are at first, version 1 is written, so that old
+//! links stay as they are. There is one payload for each content, and no other is accepted.
 
 mod bytes;
 
@@ -15,10 +17,11 @@ use base64::Engine;
 use base64::engine::general_purpose::URL_SAFE_NO_PAD;
 use crc::{CRC_32_ISO_HDLC, Crc, NoTable};
 
+use crate::explorer::name::Name;
 use crate::geometry::{Heading, Point};
 use crate::grouped::Grouped;
 use crate::maze::{Bounds, Kind, Maze, Scale, Start};
-use crate::settings::{Order, Pace, Preference, Settings};
+use crate::settings::{Order, Pace, Preference, Rule, Search, Settings};
 use bytes::{Malformed, Reader, Writer};
 
 /// The most characters of a payload: what browsers and messengers still pass on whole.
@@ -31,6 +34,8 @@ pub struct Shared {
     pub maze: Maze,
     /// How the robot was set.
     pub settings: Settings,
+    /// Who drives.
+    pub explorer: Name,
     /// The stop that was looked at.
     pub stop: u32,
 }
@@ -58,7 +63,10 @@ pub enum ShareError {
     Damaged,
 }
 
-const VERSION: u8 = 1;
+/// The book's explorer, with the settings that it has.
+const BOOK: u8 = 1;
+/// Any explorer.
+const ANY: u8 = 2;
 /// Version and length.
 const HEAD: usize = 3;
 /// The checksum.
@@ -69,7 +77,9 @@ const CRC: Crc<u32, NoTable> = Crc::<u32, NoTable>::new(&CRC_32_ISO_HDLC);
 ///
 /// ```
 /// use line_maze_lab::{maze::samples, settings::Settings, share};
-/// let shared = share::Shared { maze: samples::figure_3_1(), settings: Settings::default(), stop: 13 };
+/// use line_maze_lab::explorer::name::Name;
+/// let (maze, settings) = (samples::figure_3_1(), Settings::default());
+/// let shared = share::Shared { maze, settings, explorer: Name::Mapping, stop: 13 };
 /// let payload = share::encode(&shared)?;
 /// assert_eq!(share::decode(&payload)?, shared);
 /// # Ok::<(), share::ShareError>(())
@@ -79,10 +89,14 @@ const CRC: Crc<u32, NoTable> = Crc::<u32, NoTable>::new(&CRC_32_ISO_HDLC);
 /// [`ShareError::TooBig`] for a maze that does not fit.
 pub fn encode(shared: &Shared) -> Result<String, ShareError> {
     let mut out = Writer::default();
-    out.0.extend([VERSION, 0, 0]);
+    let version = if has_extras(shared) { ANY } else { BOOK };
+    out.0.extend([version, 0, 0]);
     write_maze(&mut out, &shared.maze);
     write_settings(&mut out, &shared.settings);
     out.number(shared.stop);
+    if version == ANY {
+        write_extras(&mut out, shared);
+    }
     let length = out.0.len() + TAIL;
     let characters = characters(length);
     let length = match u16::try_from(length) {
@@ -110,7 +124,7 @@ pub fn decode(payload: &str) -> Result<Shared, ShareError> {
     let head = payload.get(..4).ok_or(ShareError::CutOff { got, expected: None })?;
     let head = URL_SAFE_NO_PAD.decode(head).map_err(|_| ShareError::NotALink)?;
     let [version, high, low] = head[..] else { return Err(ShareError::NotALink) };
-    if version != VERSION {
+    if !matches!(version, BOOK | ANY) {
         return Err(ShareError::Version(version));
     }
     let expected = characters(usize::from(u16::from_be_bytes([high, low])));
@@ -122,7 +136,8 @@ pub fn decode(payload: &str) -> Result<Shared, ShareError> {
     if CRC.checksum(body) != u32::from_be_bytes(*checksum) {
         return Err(ShareError::Damaged);
     }
-    let shared = read(body.get(HEAD..).unwrap_or_default()).map_err(|Malformed| ShareError::Damaged)?;
+    let shared =
+        read(version, body.get(HEAD..).unwrap_or_default()).map_err(|Malformed| ShareError::Damaged)?;
     // One content, one payload: whatever else could be read as the same is refused.
     if encode(&shared).as_deref() == Ok(payload) { Ok(shared) } else { Err(ShareError::Damaged) }
 }
@@ -132,12 +147,53 @@ const fn characters(bytes: usize) -> usize {
     (bytes * 4).div_ceil(3)
 }
 
-fn read(body: &[u8]) -> Result<Shared, Malformed> {
+fn read(version: u8, body: &[u8]) -> Result<Shared, Malformed> {
     let mut reader = Reader(body);
     let maze = read_maze(&mut reader)?;
     let settings = read_settings(&mut reader)?;
     let stop = reader.number()?;
-    if reader.0.is_empty() { Ok(Shared { maze, settings, stop }) } else { Err(Malformed) }
+    let mut shared = Shared { maze, settings, explorer: Name::Book, stop };
+    if version == ANY {
+        read_extras(&mut reader, &mut shared)?;
+    }
+    if reader.0.is_empty() { Ok(shared) } else { Err(Malformed) }
+}
+
+/// Whether there is something that version 1 cannot tell.
+fn has_extras(shared: &Shared) -> bool {
+    let Settings { rule, path_max, search, .. } = shared.settings;
+    (shared.explorer, rule, path_max, search) != (Name::Book, Rule::default(), None, Search::default())
+}
+
+/// The explorer is its place in [`Name::ALL`]: new ones come at the end.
+fn write_extras(out: &mut Writer, shared: &Shared) {
+    let place = (0..).zip(Name::ALL).find(|&(_, &other)| other == shared.explorer);
+    out.byte(place.map_or(0, |(place, _)| place));
+    out.byte(match shared.settings.rule {
+        Rule::Special1 => 0,
+        Rule::Basic => 1,
+    });
+    out.long(shared.settings.path_max.map_or(0, |squares| u64::from(squares) + 1));
+    out.byte(match shared.settings.search {
+        Search::Dijkstra => 0,
+        Search::AStar => 1,
+    });
+}
+
+fn read_extras(reader: &mut Reader<'_>, shared: &mut Shared) -> Result<(), Malformed> {
+    shared.explorer = *Name::ALL.get(usize::from(reader.byte()?)).ok_or(Malformed)?;
+    shared.settings.rule = match reader.byte()? {
+        0 => Rule::Special1,
+        1 => Rule::Basic,
+        _ => return Err(Malformed),
+    };
+    shared.settings.path_max = reader.maybe()?;
+    shared.settings.search = match reader.byte()? {
+        0 => Search::Dijkstra,
+        1 => Search::AStar,
+        _ => return Err(Malformed),
+    };
+    Ok(())
 }
 
 fn write_maze(out: &mut Writer, maze: &Maze) {
@@ -251,10 +307,7 @@ fn read_settings(reader: &mut Reader<'_>) -> Result<Settings, Malformed> {
         RANDOM => Order::Random(reader.long()?),
         place => Order::Fixed(*Preference::ALL.get(usize::from(place)).ok_or(Malformed)?),
     };
-    let epsilon_ms = match reader.long()? {
-        0 => None,
-        more => Some(u32::try_from(more - 1).map_err(|_| Malformed)?),
-    };
+    let epsilon_ms = reader.maybe()?;
     let node_max = reader.number()?;
     let pace = match reader.byte()? {
         0 => Pace::default(),
@@ -281,8 +334,8 @@ impl fmt::Display for ShareError {
             }
             Self::Version(version) => write!(
                 f,
-                "This link is of version {version}, and only version {VERSION} can be opened. Load the page anew \
-                 to get the latest."
+                "This link is of version {version}, and only versions {BOOK} and {ANY} can be opened. Load the \
+                 page anew to get the latest."
             ),
             Self::CutOff { got, expected: Some(expected) } => write!(
                 f,

@@ -6,9 +6,10 @@ mod random;
 use base64::Engine;
 use base64::engine::general_purpose::URL_SAFE_NO_PAD;
 use crc::{CRC_32_ISO_HDLC, Crc};
+use line_maze_lab::explorer::name::Name;
 use line_maze_lab::maze::generate::{Recipe, generate};
 use line_maze_lab::maze::samples::{self, SAMPLES};
-use line_maze_lab::settings::{Order, Pace, Preference, Settings};
+use line_maze_lab::settings::{Order, Pace, Preference, Rule, Search, Settings};
 use line_maze_lab::share::{MAX_LINK, ShareError, Shared, decode, encode};
 use proptest::prelude::*;
 
@@ -25,21 +26,40 @@ fn settings() -> impl Strategy<Value = Settings> {
             ..Pace::default()
         }),
     ];
-    (order, any::<Option<u32>>(), any::<u32>(), pace).prop_map(|(order, epsilon_ms, node_max, pace)| {
-        Settings { order, epsilon_ms, node_max, pace, ..Settings::default() }
-    })
+    let rule = prop_oneof![Just(Rule::Basic), Just(Rule::Special1)];
+    let search = prop_oneof![Just(Search::Dijkstra), Just(Search::AStar)];
+    let numbers = (any::<Option<u32>>(), any::<u32>(), any::<Option<u32>>());
+    (order, numbers, pace, rule, search).prop_map(
+        |(order, (epsilon_ms, node_max, path_max), pace, rule, search)| Settings {
+            order,
+            epsilon_ms,
+            node_max,
+            pace,
+            rule,
+            path_max,
+            search,
+        },
+    )
+}
+
+/// The book's explorer as often as all others.
+fn explorer() -> impl Strategy<Value = Name> {
+    prop_oneof![Just(Name::Book), (0..Name::ALL.len()).prop_map(|nth| Name::ALL[nth])]
 }
 
 fn shared() -> impl Strategy<Value = Shared> {
-    (random::maze(200), settings(), any::<u32>()).prop_map(|(maze, settings, stop)| Shared {
-        maze,
-        settings,
-        stop,
-    })
+    (random::maze(200), settings(), explorer(), any::<u32>())
+        .prop_map(|(maze, settings, explorer, stop)| Shared { maze, settings, explorer, stop })
 }
 
 fn figure_3_1() -> String {
-    encode(&Shared { maze: samples::figure_3_1(), settings: Settings::default(), stop: 13 }).unwrap()
+    encode(&Shared {
+        maze: samples::figure_3_1(),
+        settings: Settings::default(),
+        explorer: Name::Book,
+        stop: 13,
+    })
+    .unwrap()
 }
 
 proptest! {
@@ -99,7 +119,7 @@ fn every_changed_character_is_found() {
 
 #[test]
 fn all_samples_fit_a_link_and_the_largest_maze_does_not() {
-    let with = |maze| Shared { maze, settings: Settings::default(), stop: 0 };
+    let with = |maze| Shared { maze, settings: Settings::default(), explorer: Name::Book, stop: 0 };
     for sample in SAMPLES {
         let payload = encode(&with(sample.maze())).unwrap();
         assert!(payload.len() < 1000, "{}: {} characters", sample.file, payload.len());
@@ -130,8 +150,8 @@ fn errors_say_what_to_do() {
         "This is not a link of Line Maze Lab: it has characters that none would have."
     );
     assert_eq!(
-        says("Ag____"),
-        "This link is of version 2, and only version 1 can be opened. Load the page anew to get the latest."
+        says("Aw____"),
+        "This link is of version 3, and only versions 1 and 2 can be opened. Load the page anew to get the latest."
     );
     assert_eq!(
         says(&payload.replacen("VGhl", "VGhm", 1)),
@@ -148,5 +168,25 @@ fn errors_say_what_to_do() {
 fn old_links_open() {
     let shared = decode(include_str!("fixtures/share/figure-3-1.txt").trim()).unwrap();
     assert_eq!(shared.stop, 13);
+    assert_eq!(shared.explorer, Name::Book);
     assert_eq!(shared.maze.finish(), samples::figure_3_1().finish());
+    // And nothing new makes them longer.
+    assert_eq!(figure_3_1(), include_str!("fixtures/share/figure-3-1.txt").trim());
+}
+
+/// Links of version 2 tell who drives; nothing that version 1 can tell is written so.
+#[test]
+fn a_link_tells_the_explorer() {
+    for &explorer in Name::ALL {
+        let settings = Settings { path_max: Some(48), rule: Rule::Basic, ..Settings::default() };
+        let shared = Shared { maze: samples::figure_2_4(), settings, explorer, stop: 3 };
+        assert_eq!(decode(&encode(&shared).unwrap()), Ok(shared));
+    }
+    let mut bytes = URL_SAFE_NO_PAD.decode(figure_3_1()).unwrap();
+    let body = bytes.len() - 4;
+    bytes.splice(body.., [0, 0, 0, 0]);
+    (bytes[0], bytes[2]) = (2, bytes[2] + 4);
+    let checksum = Crc::<u32>::new(&CRC_32_ISO_HDLC).checksum(&bytes);
+    bytes.extend(checksum.to_be_bytes());
+    assert_eq!(decode(&URL_SAFE_NO_PAD.encode(bytes)), Err(ShareError::Damaged));
 }

@@ -6,6 +6,7 @@
 use std::cell::RefCell;
 use std::rc::Rc;
 
+use line_maze_lab::explorer::name::Name;
 use line_maze_lab::geometry::{Heading, Point};
 use line_maze_lab::gesture::{nearest_cell, nearest_point};
 use line_maze_lab::maze::generate::{Recipe, generate};
@@ -103,7 +104,7 @@ fn figure_3_1_is_solved_as_natively() {
 #[wasm_bindgen_test]
 fn a_link_brings_back_what_was_shared() {
     let settings = Settings { order: Order::Random(7), epsilon_ms: Some(120), ..Settings::default() };
-    let shared = Shared { maze: samples::figure_2_4(), settings, stop: 6 };
+    let shared = Shared { maze: samples::figure_2_4(), settings, explorer: Name::Book, stop: 6 };
     assert_eq!(share::decode(&share::encode(&shared).unwrap()).unwrap(), shared);
 }
 

@@ -12,7 +12,8 @@ fuzz_target!(|bytes: &[u8]| {
     if let Ok(text) = core::str::from_utf8(bytes) {
         check(text);
     }
-    check(&sealed(bytes));
+    check(&sealed(1, bytes));
+    check(&sealed(2, bytes));
 });
 
 fn check(payload: &str) {
@@ -22,10 +23,10 @@ fn check(payload: &str) {
     }
 }
 
-/// The bytes as the body of a payload.
-fn sealed(body: &[u8]) -> String {
+/// The bytes as the body of a payload of this version.
+fn sealed(version: u8, body: &[u8]) -> String {
     let length = u16::try_from(body.len() + 7).unwrap_or(u16::MAX);
-    let mut bytes = vec![1];
+    let mut bytes = vec![version];
     bytes.extend(length.to_be_bytes());
     bytes.extend(body);
     let checksum = Crc::<u32>::new(&CRC_32_ISO_HDLC).checksum(&bytes);

@@ -43,6 +43,14 @@ impl<'a> Reader<'a> {
         u32::try_from(self.long()?).map_err(|_| Malformed)
     }
 
+    /// A number that may be absent: 0 then, otherwise one more.
+    pub(super) fn maybe(&mut self) -> Result<Option<u32>, Malformed> {
+        match self.long()? {
+            0 => Ok(None),
+            more => u32::try_from(more - 1).map(Some).map_err(|_| Malformed),
+        }
+    }
+
     /// A number of either sign: 0, −1, 1, −2, … are 0, 1, 2, 3, …
     pub(super) fn signed(&mut self) -> Result<i32, Malformed> {
         let folded = self.number()?;

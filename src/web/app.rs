@@ -9,7 +9,7 @@ use super::header::Header;
 use super::projector::Projector;
 use super::state::{Lab, Room};
 use super::step::StepRoom;
-use super::{browser, clock, dialogs, draw, keys, lazy, opening, storage};
+use super::{browser, clock, dialogs, draw, keys, lazy, opening, others, storage};
 use crate::maze::samples;
 use crate::playback::Motion;
 
@@ -21,7 +21,7 @@ pub const LINK: &str = "m=";
 pub fn App() -> impl IntoView {
     let own = storage::maze().unwrap_or_else(samples::figure_3_1);
     let motion = if browser::reduced_motion() { Motion::Reduced } else { Motion::Smooth };
-    let lab = Lab::new(own, storage::settings(), motion);
+    let lab = Lab::new(own, storage::settings(), storage::explorer(), motion);
     provide_context(lab);
     follow_address(lab, browser::hash().as_str());
     keep(lab);
@@ -33,14 +33,17 @@ pub fn App() -> impl IntoView {
     let on_hash =
         window_event_listener(leptos::ev::hashchange, move |_| follow_address(lab, browser::hash().as_str()));
     on_cleanup(move || on_hash.remove());
+    let book = Memo::new(move |_| lab.by_the_book());
     view! {
         <div class="app" class:projecting=sig(move || lab.projector.get())>
             <a class="vh skip" href="#main" on:click=mouse(move |event| { event.prevent_default(); browser::focus("main"); })>"Skip to the maze"</a>
             <Header />
             {part(move || match (lab.projector.get(), lab.room.get()) {
                 _ if lab.link_coming.get() => lazy::arriving(),
-                (true, _) => view! { <Projector /> }.into_any(),
                 (false, Room::Draw) => lazy::view(draw::room),
+                (true, _) if !book.get() => lazy::view(others::projector),
+                (false, Room::Step) if !book.get() => lazy::view(others::room),
+                (true, _) => view! { <Projector /> }.into_any(),
                 (false, Room::Step) => view! { <StepRoom /> }.into_any(),
             })}
         </div>
@@ -88,9 +91,9 @@ fn keep(lab: Lab) {
     Effect::new(move |_| {
         lab.settings.with(|settings| {
             if !lab.borrowed.get() {
-                storage::keep_settings(settings)
+                storage::keep_settings(settings, lab.explorer.get());
             }
-        })
+        });
     });
 }
 

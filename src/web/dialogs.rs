@@ -25,11 +25,11 @@ pub fn Dialogs() -> impl IntoView {
                         Dialog::New | Dialog::Resize | Dialog::About | Dialog::Paste | Dialog::Samples => {
                             super::draw::dialog(dialog).await
                         }
-                        Dialog::Keys
-                        | Dialog::Glossary(_)
-                        | Dialog::Errata
-                        | Dialog::Settings
-                        | Dialog::Share => opened(dialog).await,
+                        Dialog::Settings => super::others::settings().await,
+                        Dialog::TurnList => super::others::turn_list().await,
+                        Dialog::Keys | Dialog::Glossary(_) | Dialog::Errata | Dialog::Share => {
+                            opened(dialog).await
+                        }
                     }
                 }
             })
@@ -43,10 +43,11 @@ lazy! { dialogs;
             Dialog::Keys => view! { <books::Keys /> }.into_any(),
             Dialog::Glossary(name) => view! { <books::Glossary at=name /> }.into_any(),
             Dialog::Errata => view! { <books::Errata /> }.into_any(),
-            Dialog::Settings => view! { <settings::RunSettings /> }.into_any(),
             Dialog::Share => view! { <share::Share /> }.into_any(),
-            // The drawing's own.
-            Dialog::New | Dialog::Resize | Dialog::About | Dialog::Paste | Dialog::Samples => ().into_any(),
+            // The drawing's own, and the explorers'.
+            Dialog::Settings
+            | Dialog::TurnList
+            | Dialog::New | Dialog::Resize | Dialog::About | Dialog::Paste | Dialog::Samples => ().into_any(),
         }
     }
 }

@@ -47,18 +47,19 @@ pub fn Header() -> impl IntoView {
     }
 }
 
-/// The preference order, which opens all settings of the run.
+/// Who drives, and its preference order; opens explorer and settings.
 #[component]
 fn OrderButton() -> impl IntoView {
     let lab = lab();
     let order = move || match lab.settings.with(|settings| settings.order) {
+        _ if !lab.by_the_book() => lab.shown(|run| run.title()).unwrap_or("Explorer").to_owned(),
         Order::Fixed(preference) => preference.turns().map(|turn| turn.letter().to_string()).join(" → "),
         Order::Random(seed) => format!("random {seed}"),
     };
     view! {
-        <button class="btn" aria-label=sig(move || format!("Settings of the run: {}", order())) title="Preference order, epsilon, NODE_MAX (O)" on:click=mouse(move |_| lab.dialog.set(Some(Dialog::Settings)))>
+        <button class="btn" id="explorer" aria-label=sig(move || format!("Settings of the run: {}", order())) title="Explorer, preference order, settings (O)" on:click=mouse(move |_| lab.dialog.set(Some(Dialog::Settings)))>
             {icons::settings()}
-            <span class="hide-s">{order}</span>
+            <span class="hide-s">{part(move || lab.by_the_book().then_some(view! { <span class="hide-l">"Book · "</span> }))}{order}</span>
         </button>
     }
 }

@@ -20,7 +20,8 @@ pub const HELP: &[(&str, &[(&str, &str)])] = &[
             ("N", "next event; Shift N the one before"),
             ("PgUp PgDn", "presenter remote: back, on"),
             ("V", "robot’s-eye view"),
-            ("O", "settings of the run"),
+            ("O", "explorer and settings"),
+            ("T", "turn-list lab"),
         ],
     ),
     (
@@ -115,7 +116,7 @@ fn press(lab: Lab, event: &KeyboardEvent) -> bool {
     }
     everywhere(lab, &key)
         || (lab.room.get_untracked() == Room::Step
-            && lab.run.with_untracked(Result::is_ok)
+            && untrack(|| lab.shown(|_| ()).is_some())
             && step(lab, &key, event))
 }
 
@@ -161,6 +162,10 @@ fn step(lab: Lab, key: &str, event: &KeyboardEvent) -> bool {
         "End" => Command::ToEnd,
         "n" | "N" if event.shift_key() => Command::PreviousEvent(None),
         "n" | "N" => Command::NextEvent(None),
+        "t" | "T" => {
+            lab.dialog.set(Some(Dialog::TurnList));
+            return true;
+        }
         "v" | "V" => {
             lab.robots_eye.update(|on| *on = !*on);
             return true;

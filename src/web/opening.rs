@@ -119,7 +119,7 @@ lazy! { files;
             Ok(shared) => {
                 lab.broken_link.set(None);
                 lab.room.set(Room::Step);
-                lab.borrow(shared.maze, shared.settings, shared.stop);
+                lab.borrow(shared.maze, shared.settings, shared.explorer, shared.stop);
                 true
             }
             Err(why) => {

@@ -2,12 +2,16 @@
 
 use leptos::prelude::*;
 
+use std::sync::Arc;
+
+use super::played::Played;
 use super::run_view::{Run, Same};
 use super::storage;
+use crate::explorer::name::Name;
 use crate::geometry::Heading;
 use crate::maze::Maze;
 use crate::maze::edit::{Edit, History};
-use crate::playback::{Command, Motion, Playback};
+use crate::playback::{Command, Motion, Playback, Timeline};
 use crate::settings::Settings;
 use crate::trace::{Frame, Moment};
 use crate::world::CannotStart;
@@ -40,6 +44,8 @@ pub enum Dialog {
     Resize,
     /// Title, source and note.
     About,
+    /// What can be done with a turn list.
+    TurnList,
     /// A maze as text, to be pasted.
     Paste,
     /// All samples.
@@ -95,7 +101,13 @@ pub struct Lab {
     pub maze: Memo<Same<Maze>>,
     /// How the bot is set.
     pub settings: RwSignal<Settings>,
-    /// The run through the maze.
+    /// Who drives.
+    pub explorer: RwSignal<Name>,
+    /// The run of an explorer that is not the book's, once its part of the page has made it.
+    pub other: RwSignal<Option<Result<Arc<dyn Played>, CannotStart>>>,
+    /// The stop of that run that is to be shown when it is there.
+    pub awaited: RwSignal<Option<u32>>,
+    /// The book's run through the maze.
     pub run: Memo<Result<Same<Run>, CannotStart>>,
     /// The room that is open.
     pub room: RwSignal<Room>,
@@ -140,7 +152,7 @@ pub fn lab() -> Lab {
 impl Lab {
     /// The state at the beginning, with this maze and these settings.
     #[must_use]
-    pub fn new(maze: Maze, settings: Settings, motion: Motion) -> Self {
+    pub fn new(maze: Maze, settings: Settings, explorer: Name, motion: Motion) -> Self {
         let history = RwSignal::new(History::new(maze));
         let settings = RwSignal::new(settings);
         let maze = Memo::new(move |_| Same::new(history.with(|history| history.maze().clone())));
@@ -157,6 +169,9 @@ impl Lab {
             history,
             maze,
             settings,
+            explorer: RwSignal::new(explorer),
+            other: RwSignal::new(None),
+            awaited: RwSignal::new(None),
             run,
             room: RwSignal::new(Room::Step),
             playback,
@@ -186,26 +201,68 @@ impl Lab {
         }
     }
 
+    /// Whether the book's explorer drives, which has a view of its own.
+    #[must_use]
+    pub fn by_the_book(self) -> bool {
+        self.explorer.get() == Name::Book
+    }
+
+    /// Something about the run that is shown, whoever drives; none where there is no run.
+    pub fn shown<T>(self, of: impl FnOnce(&dyn Played) -> T) -> Option<T> {
+        if self.by_the_book() {
+            self.run.with(|run| run.as_ref().ok().map(|run| of(&**run)))
+        } else {
+            self.other.with(|other| other.as_ref().and_then(|run| run.as_ref().ok()).map(|run| of(&**run)))
+        }
+    }
+
+    /// Why there is no run.
+    #[must_use]
+    pub fn cannot(self) -> Option<CannotStart> {
+        if self.by_the_book() {
+            self.run.with(|run| run.as_ref().err().copied())
+        } else {
+            self.other.with(|other| other.as_ref().and_then(|run| run.as_ref().err().copied()))
+        }
+    }
+
+    /// What is played of the run that is shown, and where.
+    fn at_play(self, act: impl FnOnce(&mut Playback, &dyn Timeline)) {
+        let round = self.round.get_untracked();
+        untrack(|| {
+            self.shown(|run| match (round, run.drive()) {
+                (Round::Solved, Some(drive)) => self.solved.update(|playback| act(playback, drive)),
+                _ => self.playback.update(|playback| act(playback, run.line())),
+            })
+        });
+    }
+
     /// Moves the run that is shown.
     pub fn play(self, command: Command) {
-        self.run.with_untracked(|run| {
-            let Ok(run) = run else { return };
-            match (self.round.get_untracked(), &run.drive) {
-                (Round::Solved, Some(drive)) => self.solved.update(|playback| playback.apply(command, drive)),
-                _ => self.playback.update(|playback| playback.apply(command, &run.trace)),
-            }
-        });
+        self.at_play(|playback, line| playback.apply(command, line));
     }
 
     /// Lets time pass.
     pub fn tick(self, dt_s: f64) {
-        self.run.with_untracked(|run| {
-            let Ok(run) = run else { return };
-            match (self.round.get_untracked(), &run.drive) {
-                (Round::Solved, Some(drive)) => self.solved.update(|playback| playback.tick(dt_s, drive)),
-                _ => self.playback.update(|playback| playback.tick(dt_s, &run.trace)),
-            }
-        });
+        self.at_play(|playback, line| playback.tick(dt_s, line));
+    }
+
+    /// Chooses who drives; the run begins anew.
+    pub fn choose(self, explorer: Name) {
+        if self.explorer.get_untracked() != explorer {
+            self.other.set(None);
+            self.explorer.set(explorer);
+            self.rewind();
+        }
+    }
+
+    /// Shows a stop of an explorer's run through the maze that is open.
+    pub fn watch(self, explorer: Name, stop: u32) {
+        self.choose(explorer);
+        self.round.set(Round::Explore);
+        let there = untrack(|| self.shown(|_| ()).is_some());
+        self.awaited.set((!there).then_some(stop));
+        self.play(Command::Seek(Moment::after(stop)));
     }
 
     /// Changes the maze. Returns whether anything changed.
@@ -237,11 +294,13 @@ impl Lab {
     }
 
     /// Opens what a link holds. It is not kept as the user's own until it is changed.
-    pub fn borrow(self, maze: Maze, settings: Settings, stop: u32) {
+    pub fn borrow(self, maze: Maze, settings: Settings, explorer: Name, stop: u32) {
         self.open(maze);
         self.settings.set(settings);
         self.borrowed.set(true);
-        self.play(Command::Seek(Moment::after(stop)));
+        // Whatever run there is, it is of what was open before.
+        self.other.set(None);
+        self.watch(explorer, stop);
     }
 
     fn maze_changed(self) {
@@ -257,6 +316,7 @@ impl Lab {
 
     /// Back to the start of round 1.
     pub fn rewind(self) {
+        self.awaited.set(None);
         self.round.set(Round::Explore);
         self.lit.set(None);
         self.playback.update(Playback::rewind);

@@ -8,11 +8,12 @@ use crate::maze::Kind;
 
 mod code;
 mod errata;
-mod now;
-mod result;
-mod scene;
+pub mod now;
+pub mod result;
+pub mod scene;
 mod table;
 pub mod transport;
+pub mod walled;
 
 pub use errata::ErratumNote;
 pub use now::{Length, Said};
@@ -28,7 +29,7 @@ pub fn StepRoom() -> impl IntoView {
             <h1 class="vh">"Step"</h1>
             <section class="stage" aria-label="Maze">
                 <div>
-                    <StageBar />
+                    <StageBar><Legend /></StageBar>
                     <super::notes::BrokenLink />
                 </div>
                 <Stage />
@@ -56,7 +57,7 @@ pub fn StepRoom() -> impl IntoView {
 
 /// The maze's name and size, the legend, robot's eye.
 #[component]
-fn StageBar() -> impl IntoView {
+pub fn StageBar(children: Children) -> impl IntoView {
     let lab = lab();
     let title = move || {
         lab.maze.with(|maze| {
@@ -78,7 +79,7 @@ fn StageBar() -> impl IntoView {
             <b>{title}</b>
             <span class="hide-s">{size}</span>
             <span class="spacer"></span>
-            <Legend />
+            {children()}
             <button
                 class="btn"
                 aria-pressed=sig(move || lab.robots_eye.get().to_string())
@@ -124,7 +125,7 @@ fn Legend() -> impl IntoView {
 
 /// Where the bot cannot be put down: why, and the way to the cure.
 #[component]
-fn CannotRun(why: String) -> impl IntoView {
+pub fn CannotRun(why: String) -> impl IntoView {
     let lab = lab();
     view! {
         <section class="card" aria-live="polite">

@@ -1,11 +1,13 @@
 //! What the browser keeps for the user: the maze, the settings, the theme. Storage may be full or forbidden;
 //! then the page works on and says so.
 
-use crate::maze::{Maze, text};
-use crate::settings::Settings;
+use crate::explorer::name::Name;
+use crate::maze::{Maze, Scale, text};
+use crate::settings::{Pace, Rule, Search, Settings};
 
 const MAZE: &str = "line-maze-lab/maze";
 const SETTINGS: &str = "line-maze-lab/settings";
+const EXPLORER: &str = "line-maze-lab/explorer";
 const THEME: &str = "line-maze-lab/theme";
 
 /// The browser does not keep anything: forbidden, or full.
@@ -48,17 +50,56 @@ pub fn settings() -> Settings {
             Some(("order", order)) => settings.order = order.parse().unwrap_or(settings.order),
             Some(("epsilon", ms)) => settings.epsilon_ms = ms.parse().ok(),
             Some(("node_max", nodes)) => settings.node_max = nodes.parse().unwrap_or(settings.node_max),
+            Some(("rule", "basic")) => settings.rule = Rule::Basic,
+            Some(("path_max", squares)) => settings.path_max = squares.parse().ok(),
+            Some(("search", "a-star")) => settings.search = Search::AStar,
+            Some(("pace", numbers)) => settings.pace = pace(numbers).unwrap_or(settings.pace),
             _ => {}
         }
     }
     settings
 }
 
-/// Keeps the settings, if the browser lets us; they are quickly set again.
-pub fn keep_settings(settings: &Settings) {
-    let epsilon = settings.epsilon_ms.map_or(String::new(), |ms| ms.to_string());
-    let text = format!("order={}\nepsilon={epsilon}\nnode_max={}", settings.order, settings.node_max);
+/// A pace as four numbers by their bits: nothing is lost, and little is needed to read them.
+fn pace(numbers: &str) -> Option<Pace> {
+    let mut numbers = numbers.split(' ').map(|bits| bits.parse().ok().map(f64::from_bits));
+    let mut next = || numbers.next().flatten();
+    let pace = Pace { speed_mm_s: next()?, turn_s: next()?, uturn_s: next()?, stop_s: next()? };
+    pace.checked(Scale::default()).ok()
+}
+
+/// Who drove last; the book's explorer where nothing is kept.
+#[must_use]
+pub fn explorer() -> Name {
+    let place: Option<usize> = get(EXPLORER).and_then(|place| place.parse().ok());
+    place.and_then(|place| Name::ALL.get(place).copied()).unwrap_or_default()
+}
+
+/// Keeps the settings and the explorer, by its place in [`Name::ALL`], if the browser lets us; they are
+/// quickly set again.
+pub fn keep_settings(settings: &Settings, explorer: Name) {
+    let maybe = |number: Option<u32>| number.map_or(String::new(), |number| number.to_string());
+    let mut text = format!(
+        "order={}\nepsilon={}\nnode_max={}\npath_max={}",
+        settings.order,
+        maybe(settings.epsilon_ms),
+        settings.node_max,
+        maybe(settings.path_max)
+    );
+    if settings.rule == Rule::Basic {
+        text.push_str("\nrule=basic");
+    }
+    if settings.search == Search::AStar {
+        text.push_str("\nsearch=a-star");
+    }
+    if settings.pace != Pace::default() {
+        let Pace { speed_mm_s, turn_s, uturn_s, stop_s } = settings.pace;
+        let numbers = [speed_mm_s, turn_s, uturn_s, stop_s].map(|number| number.to_bits().to_string());
+        text.push_str(&format!("\npace={}", numbers.join(" ")));
+    }
     let _ = set(SETTINGS, &text);
+    let place = Name::ALL.iter().position(|&name| name == explorer).unwrap_or(0);
+    let _ = set(EXPLORER, &place.to_string());
 }
 
 /// Light, dark, or as the system has it.

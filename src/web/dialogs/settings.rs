@@ -1,28 +1,125 @@
-//! The settings of a run: preference order, `epsilon`, `NODE_MAX`.
+//! The explorer and its settings: preference order, `epsilon`, `NODE_MAX`, rules, and what driving costs.
 
 use crate::web::erase::{event, mouse, part, sig};
 use leptos::prelude::*;
 
 use super::{Modal, Width};
-use crate::settings::{NODE_MAX, Order, Preference, Settings};
+use crate::explorer::name::Setting;
+use crate::settings::{NODE_MAX, Order, Pace, Preference, Rule, Search, Settings};
 use crate::trace::MAX_NODES;
+use crate::web::others::choose::{ExplorerField, heeds};
 use crate::web::state::lab;
 
 /// The dialog; changes count at once.
 #[component]
 pub fn RunSettings() -> impl IntoView {
     let lab = lab();
+    let heeds = move |setting: Setting| heeds(lab.explorer.get(), setting);
     view! {
         <Modal title="Settings of the run" width=Width::Narrow>
-            <OrderFields />
-            <EpsilonField />
-            <NodeMaxField />
+            <ExplorerField />
+            {part(move || heeds(Setting::Order).then(|| view! { <OrderFields /> }))}
+            {part(move || heeds(Setting::Epsilon).then(|| view! { <EpsilonField /> }))}
+            {part(move || heeds(Setting::NodeMax).then(|| view! { <NodeMaxField /> }))}
+            {part(move || heeds(Setting::Rule).then(|| view! { <RuleField /> }))}
+            {part(move || heeds(Setting::PathMax).then(|| view! { <PathMaxField /> }))}
+            {part(move || heeds(Setting::Search).then(|| view! { <SearchField /> }))}
+            <CostFields />
             <div class="row">
                 <button class="btn" on:click=mouse(move |_| lab.set(|settings| *settings = Settings { pace: settings.pace, ..Settings::default() }))>
                     "As in the book"
                 </button>
+                <button class="btn" on:click=mouse(move |_| lab.set(|settings| settings.pace = Pace::default()))>
+                    "Usual costs"
+                </button>
             </div>
         </Modal>
+    }
+}
+
+/// Two choices as a list.
+fn choice(
+    id: &'static str,
+    label: &'static str,
+    options: [(&'static str, &'static str); 2],
+    second: Signal<bool>,
+    set: impl Fn(bool) + 'static,
+) -> AnyView {
+    let [(first, first_name), (other, other_name)] = options;
+    view! {
+        <label class="field">
+            {label}
+            <select class="input" id=id on:change=event(move |event| set(event_target_value(&event) == other)) prop:value=sig(move || if second.get() { other } else { first })>
+                <option value=first>{first_name}</option>
+                <option value=other>{other_name}</option>
+            </select>
+        </label>
+    }
+    .into_any()
+}
+
+#[component]
+fn RuleField() -> impl IntoView {
+    let lab = lab();
+    let options = [
+        ("special-1", "special case 1: wherever it was on the path"),
+        ("basic", "basic: only where it was two steps ago"),
+    ];
+    let basic = sig(move || lab.settings.with(|settings| settings.rule == Rule::Basic));
+    choice("rule", "Rule: when the path is cut", options, basic, move |basic| {
+        lab.set(|settings| settings.rule = if basic { Rule::Basic } else { Rule::Special1 });
+    })
+}
+
+#[component]
+fn SearchField() -> impl IntoView {
+    let lab = lab();
+    let options = [("dijkstra", "Dijkstra: by distance alone"), ("a-star", "A*: with the finish in sight")];
+    let star = sig(move || lab.settings.with(|settings| settings.search == Search::AStar));
+    choice("search-kind", "Path search", options, star, move |star| {
+        lab.set(|settings| settings.search = if star { Search::AStar } else { Search::Dijkstra });
+    })
+}
+
+#[component]
+fn PathMaxField() -> impl IntoView {
+    let lab = lab();
+    let value =
+        move || lab.settings.with(|settings| settings.path_max).map(|n| n.to_string()).unwrap_or_default();
+    view! {
+        <NumberField id="path-max" label="Squares that the path can hold; the article has 48" value=Signal::derive(value)
+            placeholder=Signal::derive(|| "no limit".to_owned())
+            hint="A whole number from 1 to 1,000,000; empty for no limit"
+            read={|text: &str| if text.is_empty() { Some(None) } else { text.parse().ok().filter(|n: &u32| (1..=1_000_000).contains(n)).map(Some) }}
+            set={move |squares| lab.set(|settings| settings.path_max = squares)} />
+    }
+}
+
+/// What driving costs: heeded by all, as it says which way is the fastest.
+#[component]
+fn CostFields() -> impl IntoView {
+    let lab = lab();
+    let number = move |of: fn(&Pace) -> f64| {
+        Signal::derive(move || lab.settings.with(|settings| of(&settings.pace).to_string()))
+    };
+    let checked = move |pace: Pace| lab.maze.with_untracked(|maze| pace.checked(maze.scale).ok());
+    let read = move |change: fn(&mut Pace, f64)| {
+        move |text: &str| {
+            let mut pace = lab.settings.with_untracked(|settings| settings.pace);
+            change(&mut pace, text.parse().ok()?);
+            checked(pace)
+        }
+    };
+    let set = move |pace: Pace| lab.set(|settings| settings.pace = pace);
+    const SECONDS: &str = "A number of seconds from 0 to 60, as in 0.4";
+    view! {
+        <fieldset class="costs">
+            <legend>"Cost model: what driving takes"</legend>
+            <NumberField id="speed" label="Speed, mm/s" value=number(|pace| pace.speed_mm_s) hint="A number above 0 and up to 1,000,000; a cell may take 2,000 s at most" read=read(|pace, n| pace.speed_mm_s = n) set=set />
+            <NumberField id="turn-s" label="Turn of 90°, s" value=number(|pace| pace.turn_s) hint=SECONDS read=read(|pace, n| pace.turn_s = n) set=set />
+            <NumberField id="uturn-s" label="U-turn, s" value=number(|pace| pace.uturn_s) hint=SECONDS read=read(|pace, n| pace.uturn_s = n) set=set />
+            <NumberField id="stop-s" label="Stop, s" value=number(|pace| pace.stop_s) hint=SECONDS read=read(|pace, n| pace.stop_s = n) set=set />
+        </fieldset>
     }
 }
 

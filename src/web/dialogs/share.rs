@@ -18,6 +18,7 @@ fn link(lab: Lab) -> Result<String, share::ShareError> {
     let shared = Shared {
         maze: lab.maze.with(|maze| (**maze).clone()),
         settings: lab.settings.get(),
+        explorer: lab.explorer.get(),
         stop: lab.moment.get().stop,
     };
     Ok(format!("{}#{LINK}{}", browser::address(), share::encode(&shared)?))

@@ -46,7 +46,7 @@ pub fn Said(length: Length) -> impl IntoView {
     })
 }
 
-const fn tone(tone: Tone) -> &'static str {
+pub const fn tone(tone: Tone) -> &'static str {
     match tone {
         Tone::Now => "case",
         Tone::Go => "case go",
@@ -56,7 +56,7 @@ const fn tone(tone: Tone) -> &'static str {
 }
 
 /// A piece of a sentence; nodes light up in table and maze.
-fn piece(span: Span) -> impl IntoView {
+pub fn piece(span: Span) -> impl IntoView {
     let lab = lab();
     match span {
         Span::Text(text) => text.into_owned().into_any(),
@@ -83,12 +83,12 @@ fn piece(span: Span) -> impl IntoView {
 
 /// Round 2, in words.
 #[component]
-fn SaidSolved() -> impl IntoView {
+pub fn SaidSolved() -> impl IntoView {
     let lab = lab();
     part(move || {
         let stop = lab.solved.with(|playback| playback.moment().stop);
-        lab.run.with(|run| {
-            let drive = run.as_ref().ok()?.drive.as_ref()?;
+        let told = lab.shown(|run| {
+            let drive = run.drive()?;
             let list = drive.route.legs.iter().filter(|leg| leg.letter.is_some()).count();
             let (case, class, text) = match drive.route.leg(stop) {
                 None => ("ROUND 2", "case info", format!("The bot is back at the start and knows its turn list of {list} letters. It explores nothing now.")),
@@ -101,7 +101,8 @@ fn SaidSolved() -> impl IntoView {
                 },
             };
             Some(view! { <span class=class>{case}</span> <p>{text}</p> })
-        })
+        });
+        told.flatten()
     })
 }
 

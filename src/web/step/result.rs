@@ -6,6 +6,7 @@ use leptos::prelude::*;
 
 use crate::maze::Maze;
 use crate::web::browser;
+use crate::web::played::Played;
 use crate::web::run_view::Run;
 use crate::web::state::{Dialog, Lab, Round, ToastTone, lab};
 
@@ -40,6 +41,7 @@ pub fn ResultCard() -> impl IntoView {
                         <button class="btn primary" on:click=mouse(move |_| lab.drive_solved())>"Drive the solved run"</button>
                         <button class="btn" on:click=mouse(move |_| browser::copy(copy_letters.clone(), copied))>"Copy"</button>
                         <button class="btn" aria-expanded=sig(move || c_array.get().to_string()) on:click=mouse(move |_| c_array.update(|on| *on = !*on))>"C array"</button>
+                        <button class="btn" on:click=mouse(move |_| lab.dialog.set(Some(Dialog::TurnList)))>"Turn-list lab"</button>
                         <button class="btn" on:click=mouse(move |_| lab.dialog.set(Some(Dialog::Share)))>"Share"</button>
                     </div>
                     {part(move || c_array.get().then(|| {
@@ -55,19 +57,19 @@ pub fn ResultCard() -> impl IntoView {
     })
 }
 
-fn title(maze: &Maze) -> String {
+/// What the maze is called.
+pub fn title(maze: &Maze) -> String {
     if maze.about.title.is_empty() { "untitled maze".to_owned() } else { maze.about.title.clone() }
 }
 
 /// The turn list, a letter a node.
 #[component]
-fn Letters() -> impl IntoView {
+pub fn Letters() -> impl IntoView {
     let lab = lab();
     let letters = move || {
-        with_run(lab, |run| {
-            Some(run.list.as_ref()?.turns().iter().map(|turn| turn.letter()).collect::<Vec<_>>())
-        })
-        .unwrap_or_default()
+        let of =
+            |run: &dyn Played| Some(run.list()?.turns().iter().map(|turn| turn.letter()).collect::<Vec<_>>());
+        lab.shown(of).flatten().unwrap_or_default()
     };
     // In round 2 the letter that was used last is marked.
     let used = move || {
@@ -75,10 +77,11 @@ fn Letters() -> impl IntoView {
         if lab.round.get() == Round::Explore {
             return None;
         }
-        with_run(lab, |run| {
-            let legs = &run.drive.as_ref()?.route.legs;
+        let of = |run: &dyn Played| {
+            let legs = &run.drive()?.route.legs;
             legs[..(stop as usize).min(legs.len())].iter().rev().find_map(|leg| leg.letter)
-        })
+        };
+        lab.shown(of).flatten()
     };
     part(move || {
         let letters = letters();

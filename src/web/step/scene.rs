@@ -11,11 +11,14 @@ use crate::maze::{Kind, Maze};
 use crate::scene::{self, NodeMark, Pose, Trail};
 use crate::web::maze_view::{Bot, Camera, Compass, ZoomButtons, end_label, finish_mark, size_of};
 use crate::web::paths::{self, UNIT};
+use crate::web::played::Played;
 use crate::web::run_view::Run;
 use crate::web::state::{Lab, Round, lab};
 
+use super::walled;
+
 /// More nodes than this are shown without their numbers.
-const NUMBERED: usize = 300;
+pub const NUMBERED: usize = 300;
 
 /// The trails' path data.
 #[derive(Clone, Default, PartialEq)]
@@ -34,6 +37,38 @@ pub fn Stage() -> impl IntoView {
     let camera = Camera::new(size_of(frame), bounds, 100.0);
     let stop = Memo::new(move |_| lab.moment.get().stop);
     let drawn = Memo::new(move |_| with_run(lab, |run| draw_trails(run, stop.get())));
+    let picture = view! {
+            <svg
+                class="maze"
+                class:walls=sig(move || walled::is(lab))
+                viewBox=sig(move || camera.view_box())
+                role="img"
+                aria-label=sig(move || describe(lab, stop.get()))
+                data-stop=sig(move || stop.get())
+                data-crossed=sig(move || with_run(lab, |run| run.ink.crossed_cells(stop.get())))
+            >
+                <Defs />
+                <Floor />
+                <path class="solid" d=sig(move || lab.maze.with(|maze| walled::solid(maze, seen(lab, stop).as_deref()))) />
+                <path class="tape" d=sig(move || tape(lab, stop)) />
+                {part(move || (lab.round.get() == Round::Explore).then(|| view! {
+                    <path class="remembered" d=sig(move || drawn.with(|d| d.remembered.clone())) />
+                    <path class="given-up" d=sig(move || drawn.with(|d| d.given_up.clone())) />
+                    <path class="crossed" stroke="url(#crosses)" d=sig(move || drawn.with(|d| d.crossed.clone())) />
+                    <Driving />
+                }))}
+                {part(move || (lab.round.get() == Round::Solved).then(|| view! { <path class="route" d=sig(move || route(lab)) /> }))}
+                <Ends camera=camera known=Box::new(move |at| with_run(lab, |run| run.solved() && run.ink.place(lab.moment.get().stop) == at)) />
+                // Under the nodes, so that their numbers stay readable: nose and wheels look out.
+                <Bot pose=Signal::derive(move || pose(lab)) pixel=Signal::derive(move || camera.pixel()) />
+                <Nodes camera=camera />
+            </svg>
+    };
+    canvas(lab, camera, frame, picture.into_any())
+}
+
+/// The frame around a picture of the maze, which zooms and moves it.
+pub fn canvas(lab: Lab, camera: Camera, frame: NodeRef<html::Div>, picture: AnyView) -> AnyView {
     let drag = RwSignal::new(None::<(i32, f64, f64)>);
     let on_wheel = move |event: web_sys::WheelEvent| {
         if event.ctrl_key() || lab.projector.get_untracked() || !camera.is_fitted() {
@@ -63,35 +98,12 @@ pub fn Stage() -> impl IntoView {
             on:pointerup=pointer(move |_| drag.set(None))
             on:pointercancel=pointer(move |_| drag.set(None))
         >
-            <svg
-                class="maze"
-                class:walls=sig(move || lab.maze.with(|maze| maze.kind == Kind::Wall))
-                viewBox=sig(move || camera.view_box())
-                role="img"
-                aria-label=sig(move || describe(lab, stop.get()))
-                data-stop=sig(move || stop.get())
-                data-crossed=sig(move || with_run(lab, |run| run.ink.crossed_cells(stop.get())))
-            >
-                <Defs />
-                <Floor />
-                <path class="solid" d=sig(move || solid(lab, stop)) />
-                <path class="tape" d=sig(move || tape(lab, stop)) />
-                {part(move || (lab.round.get() == Round::Explore).then(|| view! {
-                    <path class="remembered" d=sig(move || drawn.with(|d| d.remembered.clone())) />
-                    <path class="given-up" d=sig(move || drawn.with(|d| d.given_up.clone())) />
-                    <path class="crossed" stroke="url(#crosses)" d=sig(move || drawn.with(|d| d.crossed.clone())) />
-                    <Driving />
-                }))}
-                {part(move || (lab.round.get() == Round::Solved).then(|| view! { <path class="route" d=sig(move || route(lab)) /> }))}
-                <Ends camera=camera />
-                // Under the nodes, so that their numbers stay readable: nose and wheels look out.
-                <Bot pose=Signal::derive(move || pose(lab)) pixel=Signal::derive(move || camera.pixel()) />
-                <Nodes camera=camera />
-            </svg>
+            {picture}
             <Compass north=Signal::derive(move || lab.north()) />
             <span class="zoom"><ZoomButtons camera=camera /></span>
         </div>
     }
+    .into_any()
 }
 
 /// Something about the run; the default where there is none.
@@ -101,7 +113,7 @@ fn with_run<T: Default>(lab: Lab, of: impl FnOnce(&Run) -> T) -> T {
 
 /// Patterns: crosses on every cell, dots on every lattice point.
 #[component]
-fn Defs() -> impl IntoView {
+pub fn Defs() -> impl IntoView {
     let cross = |x: i32, y: i32| format!("M{} {}l12 12m0-12l-12 12", x - 6, y - 6);
     let marks = [(13, 40), (67, 40), (40, 13), (40, 67)].map(|(x, y)| cross(x, y)).join("");
     let halo = marks.clone();
@@ -120,7 +132,7 @@ fn Defs() -> impl IntoView {
 
 /// The lattice's points; the robot does not see them.
 #[component]
-fn Floor() -> impl IntoView {
+pub fn Floor() -> impl IntoView {
     let lab = lab();
     let rect = move || {
         lab.maze.with(|maze| {
@@ -143,39 +155,12 @@ fn seen(lab: Lab, stop: Memo<u32>) -> Option<Vec<(Point, Ways)>> {
     })
 }
 
-/// Squares that are closed all round, or that the robot has not seen.
-fn solid(lab: Lab, stop: Memo<u32>) -> String {
-    lab.maze.with(|maze| {
-        if maze.kind == Kind::Line {
-            return String::new();
-        }
-        let (bounds, seen) = (maze.bounds(), seen(lab, stop));
-        paths::squares((bounds.sw(), bounds.ne()), |at| match &seen {
-            None => maze.ways(at).is_empty(),
-            Some(seen) => seen.binary_search_by_key(&at, |square| square.0).is_err(),
-        })
-    })
-}
-
-/// The walls of the squares that the robot has seen.
-fn seen_walls(seen: &[(Point, Ways)]) -> String {
-    let mut data = String::new();
-    for (at, ways) in seen {
-        for heading in Heading::ALL.into_iter().filter(|&heading| !ways.has(heading)) {
-            let ((dx, dy), half) = (heading.vector(), UNIT / 2);
-            let (x, y) = (at.x * UNIT + (dx - dy) * half, -at.y * UNIT - (dx + dy) * half);
-            data.push_str(&format!("M{x} {y}l{} {}", dy * UNIT, dx * UNIT));
-        }
-    }
-    data
-}
-
 /// The line, or the walls: all of them, or what the robot has seen.
 fn tape(lab: Lab, stop: Memo<u32>) -> String {
     let kind = lab.maze.with(|maze| maze.kind);
     let seen = (kind == Kind::Wall).then(|| seen(lab, stop)).flatten();
     if let Some(seen) = seen {
-        return seen_walls(&seen);
+        return walled::seen_walls(&seen);
     }
     if kind == Kind::Wall || !lab.robots_eye.get() {
         return lab.maze.with(|maze| {
@@ -250,12 +235,14 @@ fn Driving() -> impl IntoView {
     }
 }
 
-fn route(lab: Lab) -> String {
-    with_run(lab, |run| {
-        run.drive.as_ref().map_or_else(String::new, |drive| {
+/// The way of round 2.
+pub fn route(lab: Lab) -> String {
+    let points = |run: &dyn Played| {
+        run.drive().map_or_else(String::new, |drive| {
             paths::line([drive.route.start].into_iter().chain(drive.route.legs.iter().map(|leg| leg.at)))
         })
-    })
+    };
+    lab.shown(points).unwrap_or_default()
 }
 
 fn pose(lab: Lab) -> Pose {
@@ -277,12 +264,13 @@ fn pose(lab: Lab) -> Pose {
 
 /// Start and finish.
 #[component]
-fn Ends(camera: Camera) -> impl IntoView {
+pub fn Ends(
+    camera: Camera,
+    /// Whether the robot knows this finish; asked for the robot's eye only.
+    known: Box<dyn Fn(Point) -> bool + Send>,
+) -> impl IntoView {
     let lab = lab();
-    let known = move |at: Point| {
-        !lab.robots_eye.get()
-            || with_run(lab, |run| run.solved() && run.ink.place(lab.moment.get().stop) == at)
-    };
+    let known = move |at: Point| !lab.robots_eye.get() || known(at);
     part(move || {
         let pixel = camera.pixel();
         lab.maze.with(|maze: &super::super::run_view::Same<Maze>| {
@@ -336,7 +324,7 @@ fn Nodes(camera: Camera) -> impl IntoView {
 }
 
 /// The nodes' numbered discs as SVG markup.
-fn discs(nodes: &[NodeMark], here: u32) -> String {
+pub fn discs(nodes: &[NodeMark], here: u32) -> String {
     let mut markup = String::new();
     for NodeMark { number, at } in nodes {
         let class = if *number == here { "node here" } else { "node" };
@@ -349,7 +337,7 @@ fn discs(nodes: &[NodeMark], here: u32) -> String {
 }
 
 /// Many nodes, or small ones: one shape for all of them, and one for where the bot is.
-fn dots(nodes: &[NodeMark], here: u32) -> String {
+pub fn dots(nodes: &[NodeMark], here: u32) -> String {
     let shape = |class: &str, wanted: &dyn Fn(u32) -> bool| {
         let data: String = nodes
             .iter()

@@ -7,6 +7,7 @@ use leptos::prelude::*;
 
 use crate::playback::{Command, Mark, SPEEDS, Timeline, Unit};
 use crate::trace::Moment;
+use crate::web::played;
 use crate::web::state::{Lab, Round, lab};
 use crate::web::{browser, icons};
 
@@ -30,7 +31,7 @@ pub fn Transport() -> impl IntoView {
 pub fn Buttons() -> impl IntoView {
     let lab = lab();
     let playing = move || lab.playing().with(|playback| playback.is_playing());
-    let dead = move || lab.run.with(Result::is_err);
+    let dead = move || lab.shown(|_| ()).is_none();
     let button = move |label: &'static str, command: Command, icon: AnyView| {
         view! {
             <button aria-label=label title=label disabled=dead on:click=mouse(move |_| lab.play(command))>
@@ -62,29 +63,13 @@ fn stops(lab: Lab) -> u32 {
 }
 
 /// Something about what is played; `default` where there is nothing.
-fn timeline<T>(lab: Lab, default: T, of: impl FnOnce(&dyn DynTimeline) -> T) -> T {
-    lab.run.with(|run| match run {
-        Err(_) => default,
-        Ok(run) => match (lab.round.get(), &run.drive) {
-            (Round::Solved, Some(drive)) => of(drive),
-            _ => of(&run.trace),
-        },
+fn timeline<T>(lab: Lab, default: T, of: impl FnOnce(&dyn Timeline) -> T) -> T {
+    let round = lab.round.get();
+    lab.shown(|run| match (round, run.drive()) {
+        (Round::Solved, Some(drive)) => of(drive),
+        _ => of(run.line()),
     })
-}
-
-/// What the scrubber asks of either timeline.
-trait DynTimeline {
-    fn stops(&self) -> u32;
-    fn mark(&self, stop: u32) -> Mark;
-}
-
-impl<T: Timeline> DynTimeline for T {
-    fn stops(&self) -> u32 {
-        Timeline::stops(self)
-    }
-    fn mark(&self, stop: u32) -> Mark {
-        Timeline::mark(self, stop)
-    }
+    .unwrap_or(default)
 }
 
 /// The time line: drag it, click it, or use it as a slider.
@@ -148,24 +133,11 @@ fn Scrubber() -> impl IntoView {
 
 /// A stop in a few words.
 fn said(lab: Lab, stop: u32) -> String {
-    let what = timeline(lab, "", |line| match line.mark(stop) {
-        Mark::Plain if stop == 0 => "start",
-        Mark::Plain => "corner",
-        Mark::Node => "node",
-        Mark::DeadEnd => "dead end",
-        Mark::Known => "RETURN-KNOWN",
-        Mark::Unknown => "RETURN-UNKNOWN",
-        Mark::End => "end",
-    });
-    let node = lab.run.with(|run| {
-        let explore = lab.round.get() == Round::Explore;
-        run.as_ref()
-            .ok()
-            .filter(|_| explore)
-            .and_then(|run| run.trace.step(stop))
-            .map_or(0, |step| step.node())
-    });
-    if node > 0 { format!("stop {stop}: {what} · node {node}") } else { format!("stop {stop}: {what}") }
+    let what = match lab.round.get() {
+        Round::Explore => lab.shown(|run| run.word(stop)).unwrap_or_default(),
+        Round::Solved => timeline(lab, "", |line| played::name(line.mark(stop), stop)).to_owned(),
+    };
+    format!("stop {stop}: {what}")
 }
 
 /// Most markers of a kind that are drawn: with more of them, they are thinned out.
@@ -226,13 +198,12 @@ fn marker(mark: Mark, at: f64) -> impl IntoView {
 pub fn Counter() -> impl IntoView {
     let lab = lab();
     let stop = move || lab.playing().with(|playback| playback.moment().stop);
-    let cells = move || {
-        lab.run.with(|run| match (run, lab.round.get()) {
-            (Ok(run), Round::Explore) => {
-                format!(" · {} of {} cells", run.cells(stop()), run.cells(run.trace.stops()))
-            }
-            _ => String::new(),
-        })
+    let cells = move || match lab.round.get() {
+        Round::Explore => {
+            let of = |run: &dyn played::Played| (run.cells(stop()), run.cells(run.line().stops()));
+            lab.shown(of).map_or_else(String::new, |(now, all)| format!(" · {now} of {all} cells"))
+        }
+        Round::Solved => String::new(),
     };
     view! { <div class="count" id="count">"stop "<b>{stop}</b>" / "{part(move || stops(lab))}<span class="hide-l">{cells}</span></div> }
 }
@@ -242,16 +213,21 @@ pub fn Counter() -> impl IntoView {
 fn EventPicker() -> impl IntoView {
     let lab = lab();
     let kind = RwSignal::new(None::<Mark>);
+    let kinds = Memo::new(move |_| lab.shown(|run| run.kinds().to_vec()).unwrap_or_default());
     let choose = move |event: web_sys::Event| {
         browser::let_go(&event);
         let index: usize = event_target_value(&event).parse().unwrap_or(0);
-        kind.set(index.checked_sub(1).and_then(|index| Mark::NAMED.get(index)).map(|(mark, _)| *mark));
+        kind.set(
+            index
+                .checked_sub(1)
+                .and_then(|index| kinds.with(|kinds| kinds.get(index).map(|(mark, _)| *mark))),
+        );
     };
     view! {
         <span class="group">
             <select class="input event-kind" aria-label="Kind of event" on:change=event(choose)>
                 <option value="0">"any event"</option>
-                {Mark::NAMED.iter().zip(1..).map(|((_, name), i)| view! { <option value=i>{*name}</option> }).collect_view()}
+                {part(move || kinds.get().into_iter().zip(1..).map(|((_, name), i)| view! { <option value=i>{name}</option> }).collect_view())}
             </select>
             <button class="btn icon" aria-label="Next event (N)" title="Next event of this kind (N; Shift+N back)" on:click=mouse(move |_| lab.play(Command::NextEvent(kind.get_untracked())))>
                 {icons::next_event()}

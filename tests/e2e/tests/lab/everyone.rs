@@ -74,6 +74,23 @@ async fn tour(page: &Page, name: &str, look: &mut impl AsyncFnMut(&str) -> Resul
     look("the share dialog").await?;
     page.press("Escape").await?;
     page.wait_for_no("dialog").await?;
+    for title in
+        ["Direction sums, right first", "Full mapping", "Cornell 3, with path planning", "Trémaux’s marks"]
+    {
+        page.press("o").await?;
+        page.choose("#explorer-name", title).await?;
+        page.press("Escape").await?;
+        page.wait_for_text("#explorer", title).await?;
+        page.wait_for("#inspector").await?;
+        page.press("End").await?;
+        page.wait_for("#result").await?;
+        look(title).await?;
+    }
+    page.press("t").await?;
+    page.wait_for("dialog #leads").await?;
+    look("the turn-list lab").await?;
+    page.press("Escape").await?;
+    page.wait_for_no("dialog").await?;
     page.press("p").await?;
     page.wait_for(".projector").await?;
     look("the projector").await?;

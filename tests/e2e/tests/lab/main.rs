@@ -7,6 +7,7 @@ mod everyone;
 mod figure_3_1;
 mod files;
 mod offline;
+mod others;
 mod share;
 mod step;
 mod trouble;

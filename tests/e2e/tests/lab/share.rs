@@ -129,7 +129,7 @@ async fn a_broken_link_leaves_ones_own_maze_open() -> Result<()> {
             (format!("{payload}AAAA"), "is damaged"),
             ("%3Cscript%3E".to_owned(), "not a link of Line Maze Lab"),
             (String::new(), "breaks off after 0 characters"),
-            (format!("_{}", &payload[1..]), "only version 1 can be opened"),
+            (format!("_{}", &payload[1..]), "only versions 1 and 2 can be opened"),
             ("A".repeat(9000), "at most 8,000 characters"),
         ];
         for (payload, why) in broken {

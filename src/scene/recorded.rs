@@ -1,0 +1,105 @@
+//! What the floor looks like at a moment of a recorded run: where the robot is, and what it knows by place:
+//! numbered points, marks on ways, numbers of squares.
+
+use alloc::string::{String, ToString};
+use alloc::vec::Vec;
+
+use super::{Drive, NodeMark, Pose};
+use crate::explorer::flood_fill::INFINITE;
+use crate::explorer::mind::{Field, Mind, Plan, Robot};
+use crate::geometry::{Heading, Point};
+use crate::recording::Recording;
+
+/// The robot after a stop, `along` of the way (0 to 1) to the next.
+#[must_use]
+pub fn pose(recording: &Recording, stop: u32, along: f64) -> Pose {
+    let stop = stop.min(recording.stops());
+    let arrived = recording.step(stop).heading();
+    let leaves = if stop < recording.stops() { recording.step(stop + 1).heading() } else { arrived };
+    Drive { from: recording.place(stop), to: recording.place(stop + 1), arrived, leaves }.pose(along)
+}
+
+/// A place in the robot's own frame, in cells from the start, on the floor.
+#[must_use]
+pub fn on_floor(recording: &Recording, from_start: Point) -> Point {
+    let start = recording.start();
+    let off = from_start.out_of_frame_of(start.heading);
+    Point::new(start.at.x + off.x, start.at.y + off.y)
+}
+
+/// Coordinates in milliseconds on the floor.
+fn reckoned(recording: &Recording, (x, y): (i32, i32)) -> Point {
+    let cell_ms = recording.cell_ms().max(1) as i32;
+    let cells = |ms: i32| (ms + cell_ms / 2).div_euclid(cell_ms);
+    on_floor(recording, Point::new(cells(x), cells(y)))
+}
+
+/// The places that a mind has numbered, in the order of their numbers.
+#[must_use]
+pub fn nodes(recording: &Recording, mind: &Mind) -> Vec<NodeMark> {
+    match mind {
+        Mind::Mapping(map) => (0..map.total_points())
+            .map(|number| NodeMark { number, at: on_floor(recording, map.cell(number)) })
+            .collect(),
+        Mind::Tremaux(mind) => (0..mind.nodes().len() as u32)
+            .map(|node| NodeMark { number: node + 1, at: reckoned(recording, mind.coordinates(node)) })
+            .collect(),
+        Mind::DepthFirst(mind) => (0..mind.nodes().len() as u32)
+            .map(|node| NodeMark { number: node + 1, at: reckoned(recording, mind.coordinates(node)) })
+            .collect(),
+        Mind::Hand(_) | Mind::Sums(_) | Mind::Parex(_) | Mind::Cornell(_) | Mind::FloodFill(_) => Vec::new(),
+    }
+}
+
+/// Trémaux's marks on the floor: node, way, and how many.
+#[must_use]
+pub fn marks(recording: &Recording, mind: &Mind) -> Vec<(Point, Heading, u8)> {
+    let Mind::Tremaux(mind) = mind else { return Vec::new() };
+    let north = recording.start().heading;
+    let mut marks = Vec::new();
+    for (place, node) in (0u32..).zip(mind.nodes()) {
+        let at = reckoned(recording, mind.coordinates(place));
+        for way in node.ways.iter().filter(|way| node.marks[usize::from(way.index())] > 0) {
+            marks.push((at, way.out_of_frame_of(north), node.marks[usize::from(way.index())]));
+        }
+    }
+    marks
+}
+
+/// The path that a mind keeps square by square, on the floor.
+#[must_use]
+pub fn path(recording: &Recording, mind: &Mind) -> Vec<Point> {
+    let Mind::Parex(mind) = mind else { return Vec::new() };
+    match mind.plan() {
+        Some(Plan::Places(places)) => places.into_iter().map(|at| on_floor(recording, at)).collect(),
+        Some(Plan::Letters(_)) | None => Vec::new(),
+    }
+}
+
+/// What a square explorer calls a lattice point of the floor, or the number that it has there.
+#[must_use]
+pub fn square_name(recording: &Recording, mind: &Mind, at: Point) -> Option<String> {
+    match mind {
+        Mind::Parex(mind) => Some(mind.numbering().number(recording.from_start(at)).to_string()),
+        Mind::Cornell(mind) => {
+            let (x, y) = square(recording, mind.squares().field(), at);
+            Some(alloc::format!("{x},{y}"))
+        }
+        Mind::FloodFill(mind) => {
+            let field = mind.squares().field();
+            let (x, y) = square(recording, field, at);
+            // Row by row from the north.
+            let place = usize::try_from(y).ok()? * field.width as usize + usize::try_from(x).ok()?;
+            let number = *mind.numbers().get(place)?;
+            Some(if number == INFINITE { "∞".to_string() } else { number.to_string() })
+        }
+        Mind::Hand(_) | Mind::Sums(_) | Mind::Mapping(_) | Mind::Tremaux(_) | Mind::DepthFirst(_) => None,
+    }
+}
+
+/// A lattice point in a field whose 0,0 is the north-west corner.
+const fn square(recording: &Recording, field: Field, at: Point) -> (i32, i32) {
+    let start = recording.start().at;
+    let (x, y) = (field.start.x + at.x - start.x, field.start.y + at.y - start.y);
+    (x, field.height as i32 - 1 - y)
+}

@@ -1,0 +1,164 @@
+//! The stepper of every explorer but the book's: the same room, with its own memory on show. It is a part of the
+//! page that is loaded when such an explorer is chosen.
+
+use std::sync::Arc;
+
+use leptos::prelude::*;
+
+use super::erase::{mouse, part};
+use super::lazy::lazy;
+use super::run_view::Same;
+use super::state::{Lab, Round, lab};
+use super::step::transport::{Buttons, Counter, Transport};
+use super::step::{CannotRun, StageBar};
+use crate::playback::Command;
+use crate::trace::Moment;
+use crate::world::CannotStart;
+
+pub mod choose;
+mod code;
+mod inspect;
+mod now;
+mod result;
+mod run;
+mod scene;
+mod search;
+mod turns;
+
+use run::{At, OtherRun};
+
+lazy! { others;
+    /// The room.
+    pub fn room() -> AnyView {
+        let watched = Watched::begin(lab());
+        view! { <Room watched=watched /> }.into_any()
+    }
+}
+
+lazy! { others;
+    /// The room on the projector.
+    pub fn projector() -> AnyView {
+        let watched = Watched::begin(lab());
+        view! { <OnProjector watched=watched /> }.into_any()
+    }
+}
+
+lazy! { others;
+    /// The dialog in which explorer and settings are chosen.
+    pub fn settings() -> AnyView {
+        view! { <super::dialogs::settings::RunSettings /> }.into_any()
+    }
+}
+
+lazy! { others;
+    /// The turn-list lab.
+    pub fn turn_list() -> AnyView {
+        view! { <turns::TurnLab /> }.into_any()
+    }
+}
+
+/// The run that is watched, and the moment.
+#[derive(Clone, Copy)]
+pub struct Watched {
+    run: Memo<Result<Same<OtherRun>, CannotStart>>,
+    at: Memo<Option<Same<At>>>,
+}
+
+impl Watched {
+    /// Makes the run, anew whenever maze, settings or explorer change, and tells the lab.
+    fn begin(lab: Lab) -> Self {
+        let run = Memo::new(move |_| {
+            lab.settings
+                .with(|settings| OtherRun::of(lab.maze.get(), settings, lab.explorer.get()).map(Same::new))
+        });
+        let tell = move |run: Result<Same<OtherRun>, CannotStart>| {
+            lab.other.set(Some(run.map(|run| Arc::new(run) as _)));
+            if let Some(stop) = lab.awaited.try_update(Option::take).flatten() {
+                lab.play(Command::Seek(Moment::after(stop)));
+            }
+        };
+        tell(run.get_untracked());
+        Effect::new(move |told: Option<()>| {
+            let run = run.get();
+            if told.is_some() {
+                tell(run);
+            }
+        });
+        let at = Memo::new(move |_| {
+            let moment = lab.moment.get();
+            run.with(|run| run.as_ref().ok().map(|run| Same::new(At::of(run, moment))))
+        });
+        Self { run, at }
+    }
+
+    /// Something about the run; the default where there is none.
+    fn of<T: Default>(self, of: impl FnOnce(&OtherRun) -> T) -> T {
+        self.run.with(|run| run.as_ref().map_or_else(|_| T::default(), |run| of(run)))
+    }
+
+    /// Something about the run and the moment.
+    fn at<T: Default>(self, of: impl FnOnce(&OtherRun, &At) -> T) -> T {
+        self.at.with(|at| at.as_ref().map_or_else(T::default, |at| self.of(|run| of(run, at))))
+    }
+}
+
+#[component]
+fn Room(watched: Watched) -> impl IntoView {
+    let lab = lab();
+    let cannot = Memo::new(move |_| watched.run.with(|run| run.as_ref().err().copied()));
+    view! {
+        <main class="main" id="main" tabindex="-1">
+            <h1 class="vh">"Step"</h1>
+            <section class="stage" aria-label="Maze">
+                <div>
+                    <StageBar>{scene::legend(watched)}</StageBar>
+                    <super::notes::BrokenLink />
+                </div>
+                {scene::stage(watched)}
+            </section>
+            <div class="side">
+                {part(move || match cannot.get() {
+                    Some(why) => view! { <CannotRun why=why.to_string() /> }.into_any(),
+                    None => view! {
+                        {now::card(watched)}
+                        {part(move || match lab.round.get() {
+                            Round::Explore => view! { {inspect::card(watched)} {code::card(watched)} }.into_any(),
+                            Round::Solved => result::solved_card(watched),
+                        })}
+                    }
+                    .into_any(),
+                })}
+            </div>
+        </main>
+        <footer class="transport-bar" aria-label="Run">
+            <Transport />
+        </footer>
+    }
+}
+
+#[component]
+fn OnProjector(watched: Watched) -> impl IntoView {
+    let lab = lab();
+    view! {
+        <main class="projector" id="main" tabindex="-1">
+            <h1 class="vh">"Projector"</h1>
+            {scene::stage(watched)}
+            <div class="words" role="status" aria-live="polite">{now::said(watched, super::step::Length::Short)}</div>
+        </main>
+        <footer class="transport-bar projector-bar" aria-label="Run">
+            <Buttons />
+            <Counter />
+            <div class="row">
+                {part(move || lab.shown(|run| run.drive().is_some()).unwrap_or(false).then(|| view! {
+                    <button class="btn" on:click=mouse(move |_| match lab.round.get_untracked() {
+                        Round::Explore => lab.drive_solved(),
+                        Round::Solved => lab.round.set(Round::Explore),
+                    })>
+                        {part(move || if lab.round.get() == Round::Explore { "Drive the solved run" } else { "Back to the exploration" })}
+                    </button>
+                }))}
+                <button class="btn" on:click=mouse(move |_| lab.projector.set(false))>"Leave (P)"</button>
+            </div>
+        </footer>
+    }
+}
