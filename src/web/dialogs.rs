@@ -30,6 +30,8 @@ pub fn Dialogs() -> impl IntoView {
                         | Dialog::Errata
                         | Dialog::Settings
                         | Dialog::Share => opened(dialog).await,
+                        // The room shows it itself.
+                        Dialog::Lineup => Ok(().into_any()),
                     }
                 }
             })
@@ -46,7 +48,9 @@ lazy! { dialogs;
             Dialog::Settings => view! { <settings::RunSettings /> }.into_any(),
             Dialog::Share => view! { <share::Share /> }.into_any(),
             // The drawing's own.
-            Dialog::New | Dialog::Resize | Dialog::About | Dialog::Paste | Dialog::Samples => ().into_any(),
+            Dialog::New | Dialog::Resize | Dialog::About | Dialog::Paste | Dialog::Samples | Dialog::Lineup => {
+                ().into_any()
+            }
         }
     }
 }

@@ -45,9 +45,12 @@ lazy! { draw;
             Dialog::About => view! { <about::About /> }.into_any(),
             Dialog::Paste => view! { <paste::Paste /> }.into_any(),
             Dialog::Samples => view! { <shelf::Samples /> }.into_any(),
-            Dialog::Keys | Dialog::Glossary(_) | Dialog::Errata | Dialog::Share | Dialog::Settings => {
-                ().into_any()
-            }
+            Dialog::Keys
+            | Dialog::Glossary(_)
+            | Dialog::Errata
+            | Dialog::Share
+            | Dialog::Settings
+            | Dialog::Lineup => ().into_any(),
         }
     }
 }

@@ -17,13 +17,14 @@ pub fn listen(lab: Lab) {
     let over = window_event_listener(leptos::ev::dragover, |event| event.prevent_default());
     let drop = window_event_listener(leptos::ev::drop, move |event| {
         event.prevent_default();
-        let files = event.data_transfer().and_then(|transfer| transfer.files());
-        let Some(files) = files.filter(|files| files.length() > 0) else { return };
-        if files.length() > 1 {
-            lab.say(ToastTone::Error, "One file at a time", "Only the first of the dropped files is opened.");
-        }
-        if let Some(file) = files.get(0) {
-            open_file(lab, &file);
+        let Some(transfer) = event.data_transfer() else { return };
+        let files = transfer.files();
+        let file = files.as_ref().filter(|files| files.length() == 1).and_then(|files| files.get(0));
+        match file.filter(|_| !super::compare::holds_folder(&transfer)) {
+            Some(file) => open_file(lab, &file),
+            // Many files, or a folder of them: a league.
+            None if files.is_some_and(|files| files.length() > 0) => super::compare::drop_into_league(lab, &transfer),
+            None => {}
         }
     });
     let paste = window_event_listener(leptos::ev::paste, move |event| {
