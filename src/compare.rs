@@ -1,14 +1,19 @@
 //! Explorers side by side: what each comes to in the same maze ([`score`]), where two of them part
-//! ([`parting`]), where they all are at the same time ([`abreast`]), how much luck is in random orders
-//! ([`orders`]), and the league over many mazes ([`league`]).
+//! ([`parting`], several of them [`forks`]), where they all are at the same time ([`abreast`]), what they left on
+//! the floor by then ([`floor`]), how much luck is in random orders ([`orders`]), the league over many mazes
+//! ([`league`]), and what the page draws and says of it ([`plot`], [`words`]).
 //!
 //! Everything is pure and comes in pieces of one run each, so that a worker can say how far it is and stop.
 
 pub mod abreast;
+pub mod floor;
+pub mod forks;
 pub mod league;
 pub mod orders;
 pub mod parting;
+pub mod plot;
 pub mod score;
+pub mod words;
 
 use core::fmt;
 

@@ -6,8 +6,10 @@
 #![allow(missing_docs, unreachable_pub)]
 
 pub mod app;
+pub mod bench;
 pub mod browser;
 pub mod clock;
+pub mod compare;
 pub mod dialogs;
 pub mod draw;
 pub mod erase;

@@ -75,6 +75,90 @@ pub fn total(maze: &Maze, run: &AnyRun, pace: &Pace) -> (f64, f64) {
     (f64::from(tally.cells), tally.seconds(maze.scale.cell_mm(), pace))
 }
 
+/// The next moment at which any of the runs comes to a stop; none where all are at their ends.
+///
+/// ```
+/// use line_maze_lab::compare::abreast::{Clock, before, next};
+/// use line_maze_lab::explorer::name::Name;
+/// use line_maze_lab::{maze::samples, run::record, settings::Settings};
+/// let (maze, settings) = (samples::figure_3_1(), Settings::default());
+/// let runs = [&record(&maze, &settings, Name::LeftHand)?, &record(&maze, &settings, Name::RightHand)?];
+/// assert_eq!(next(&maze, runs, &settings.pace, Clock::Cells(0.5)), Some(Clock::Cells(1.0)));
+/// assert_eq!(before(&maze, runs, &settings.pace, Clock::Cells(1.0)), Some(Clock::Cells(0.0)));
+/// # Ok::<(), line_maze_lab::world::CannotStart>(())
+/// ```
+#[must_use]
+pub fn next<'r>(
+    maze: &Maze,
+    runs: impl IntoIterator<Item = &'r AnyRun>,
+    pace: &Pace,
+    clock: Clock,
+) -> Option<Clock> {
+    let face = Face { clock, cell_mm: maze.scale.cell_mm(), pace };
+    let after = |run: &AnyRun| face.of(run, run.first(|tally| face.read(tally) > clock.value()));
+    let times = runs.into_iter().map(after).filter(|&time| time > clock.value());
+    times.min_by(f64::total_cmp).map(|time| clock.with(time))
+}
+
+/// The last moment before this one at which any of the runs came to a stop; none at the start.
+#[must_use]
+pub fn before<'r>(
+    maze: &Maze,
+    runs: impl IntoIterator<Item = &'r AnyRun>,
+    pace: &Pace,
+    clock: Clock,
+) -> Option<Clock> {
+    let face = Face { clock, cell_mm: maze.scale.cell_mm(), pace };
+    let earlier = |run: &AnyRun| face.of(run, last(run, |tally| face.read(tally) < clock.value()));
+    let times = runs.into_iter().map(earlier).filter(|&time| time < clock.value());
+    times.max_by(f64::total_cmp).map(|time| clock.with(time))
+}
+
+impl Clock {
+    /// Cells or seconds.
+    #[must_use]
+    pub const fn value(self) -> f64 {
+        match self {
+            Self::Cells(value) | Self::Seconds(value) => value,
+        }
+    }
+
+    /// The same kind of clock at another time.
+    #[must_use]
+    pub const fn with(self, value: f64) -> Self {
+        match self {
+            Self::Cells(_) => Self::Cells(value),
+            Self::Seconds(_) => Self::Seconds(value),
+        }
+    }
+
+    /// What it shows when a run comes to a stop.
+    #[must_use]
+    pub fn at_stop(self, maze: &Maze, run: &AnyRun, pace: &Pace, stop: u32) -> Self {
+        self.with(Face { clock: self, cell_mm: maze.scale.cell_mm(), pace }.of(run, stop))
+    }
+}
+
+/// How a drive reads on the clock.
+struct Face<'p> {
+    clock: Clock,
+    cell_mm: f64,
+    pace: &'p Pace,
+}
+
+impl Face<'_> {
+    fn read(&self, tally: crate::route::tally::Tally) -> f64 {
+        match self.clock {
+            Clock::Cells(_) => f64::from(tally.cells),
+            Clock::Seconds(_) => tally.seconds(self.cell_mm, self.pace),
+        }
+    }
+
+    fn of(&self, run: &AnyRun, stop: u32) -> f64 {
+        self.read(run.tally(stop))
+    }
+}
+
 /// The last stop for which this holds, which holds up to some stop and then no more.
 fn last(run: &AnyRun, holds: impl Fn(crate::route::tally::Tally) -> bool) -> u32 {
     let beyond = run.first(|tally| !holds(tally));

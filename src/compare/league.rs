@@ -15,6 +15,7 @@ use crate::settings::Settings;
 use crate::world::CannotStart;
 
 mod csv;
+pub mod desk;
 mod quartiles;
 
 pub use csv::{results_csv, standings_csv};

@@ -68,6 +68,21 @@ pub fn first(maze: &Maze, a: &AnyRun, b: &AnyRun) -> Option<Parting> {
     }
 }
 
+/// What a run does when it has driven so many cells, and where that is.
+pub(super) fn side_after(start: Start, run: &AnyRun, cells: u32) -> (Point, Side) {
+    let mut walk = Walk::new(run, start);
+    let mut rest = cells;
+    loop {
+        let leaves = walk.leaves();
+        if rest == 0 || leaves.is_none() {
+            return (walk.at, walk.side(leaves));
+        }
+        let leg = walk.left.min(rest);
+        walk.drive(leg);
+        rest -= leg;
+    }
+}
+
 /// One run, driven cell by cell.
 struct Walk<'r> {
     path: Path<'r>,

@@ -103,3 +103,10 @@ pub fn data_number(event: &web_sys::PointerEvent, attribute: &str) -> Option<u32
     let element = event.target()?.dyn_into::<web_sys::Element>().ok()?;
     element.closest(&format!("[{attribute}]")).ok()??.get_attribute(attribute)?.parse().ok()
 }
+
+/// Whether this page was not made by `cargo xtask dist`.
+#[must_use]
+pub fn is_development() -> bool {
+    let version = document().query_selector("meta[name=version]").ok().flatten();
+    version.and_then(|meta| meta.get_attribute("content")).as_deref() == Some("development")
+}

@@ -30,6 +30,8 @@ pub fn Dialogs() -> impl IntoView {
                         Dialog::Keys | Dialog::Glossary(_) | Dialog::Errata | Dialog::Share => {
                             opened(dialog).await
                         }
+                        // The room shows it itself.
+                        Dialog::Lineup => Ok(().into_any()),
                     }
                 }
             })
@@ -44,10 +46,15 @@ lazy! { dialogs;
             Dialog::Glossary(name) => view! { <books::Glossary at=name /> }.into_any(),
             Dialog::Errata => view! { <books::Errata /> }.into_any(),
             Dialog::Share => view! { <share::Share /> }.into_any(),
-            // The drawing's own, and the explorers'.
+            // The rooms' own, and the explorers'.
             Dialog::Settings
             | Dialog::TurnList
-            | Dialog::New | Dialog::Resize | Dialog::About | Dialog::Paste | Dialog::Samples => ().into_any(),
+            | Dialog::New
+            | Dialog::Resize
+            | Dialog::About
+            | Dialog::Paste
+            | Dialog::Samples
+            | Dialog::Lineup => ().into_any(),
         }
     }
 }

@@ -45,9 +45,13 @@ lazy! { draw;
             Dialog::About => view! { <about::About /> }.into_any(),
             Dialog::Paste => view! { <paste::Paste /> }.into_any(),
             Dialog::Samples => view! { <shelf::Samples /> }.into_any(),
-            Dialog::Keys | Dialog::Glossary(_) | Dialog::Errata | Dialog::Share | Dialog::Settings | Dialog::TurnList => {
-                ().into_any()
-            }
+            Dialog::Keys
+            | Dialog::Glossary(_)
+            | Dialog::Errata
+            | Dialog::Share
+            | Dialog::Settings
+            | Dialog::TurnList
+            | Dialog::Lineup => ().into_any(),
         }
     }
 }

@@ -45,7 +45,7 @@ pub const HELP: &[(&str, &[(&str, &str)])] = &[
             ("Ctrl O", "open a file"),
             ("Ctrl V", "paste a maze or a link"),
             ("Alt N", "new maze"),
-            ("1 2", "Draw, Step"),
+            ("1 2 3", "Draw, Step, Compare"),
             ("P", "projector"),
             ("G", "glossary"),
             ("?", "these keys"),
@@ -67,7 +67,8 @@ pub fn is_typing(target: Option<EventTarget>) -> bool {
 
 /// Whether the focused element uses this key itself: buttons and links their Space and Enter, scrolling
 /// places and range inputs their arrows.
-fn is_used_there(event: &KeyboardEvent) -> bool {
+#[must_use]
+pub fn is_used_there(event: &KeyboardEvent) -> bool {
     let Some(element) = event.target().and_then(|target| target.dyn_into::<HtmlElement>().ok()) else {
         return false;
     };
@@ -138,6 +139,7 @@ fn everywhere(lab: Lab, key: &str) -> bool {
         "o" | "O" => lab.dialog.set(Some(Dialog::Settings)),
         "1" => go(lab, Room::Draw),
         "2" => go(lab, Room::Step),
+        "3" => go(lab, Room::Compare),
         "p" | "P" => {
             lab.room.set(Room::Step);
             lab.projector.update(|on| *on = !*on);

@@ -17,10 +17,16 @@ pub fn listen(lab: Lab) {
     let over = window_event_listener(leptos::ev::dragover, |event| event.prevent_default());
     let drop = window_event_listener(leptos::ev::drop, move |event| {
         event.prevent_default();
-        let files = event.data_transfer().and_then(|transfer| transfer.files());
-        let Some(files) = files.filter(|files| files.length() > 0) else { return };
-        if let Some(file) = files.get(0) {
-            open_file(lab, &file, files.length() - 1);
+        let Some(transfer) = event.data_transfer() else { return };
+        let files = transfer.files();
+        let file = files.as_ref().filter(|files| files.length() == 1).and_then(|files| files.get(0));
+        match file.filter(|_| !super::compare::holds_folder(&transfer)) {
+            Some(file) => open_file(lab, &file),
+            // Many files, or a folder of them: a league.
+            None if files.is_some_and(|files| files.length() > 0) => {
+                super::compare::drop_into_league(lab, &transfer)
+            }
+            None => {}
         }
     });
     let paste = window_event_listener(leptos::ev::paste, move |event| {
@@ -62,7 +68,7 @@ pub fn open_link(lab: Lab, payload: &str) {
 pub fn open_text(lab: Lab, text: String) {
     match link_in(&text) {
         Some(payload) => open_link(lab, payload),
-        None => lazy::act(lab, bytes_opened(lab, "the pasted maze".to_owned(), text.into_bytes(), 0)),
+        None => lazy::act(lab, bytes_opened(lab, "the pasted maze".to_owned(), text.into_bytes())),
     }
 }
 
@@ -73,8 +79,8 @@ pub fn link_in(text: &str) -> Option<&str> {
     (!before.contains('\n')).then(|| payload.trim())
 }
 
-/// Opens a file that the user chose or dropped; so many others came with it.
-pub fn open_file(lab: Lab, file: &web_sys::File, others: u32) {
+/// Opens a file that the user chose or dropped.
+pub fn open_file(lab: Lab, file: &web_sys::File) {
     let (name, size) = (file.name(), file.size());
     if size > json::MAX_BYTES as f64 {
         let tenths = (size * 10.0 / 1_048_576.0) as u64;
@@ -85,7 +91,7 @@ pub fn open_file(lab: Lab, file: &web_sys::File, others: u32) {
     let bytes = file.array_buffer();
     lazy::act(lab, async move {
         match wasm_bindgen_futures::JsFuture::from(bytes).await {
-            Ok(buffer) => bytes_opened(lab, name, js_sys::Uint8Array::new(&buffer).to_vec(), others).await?,
+            Ok(buffer) => bytes_opened(lab, name, js_sys::Uint8Array::new(&buffer).to_vec()).await?,
             Err(_) => lab.say(
                 ToastTone::Error,
                 format!("Can’t read {name}"),
@@ -106,7 +112,7 @@ pub fn choose_file(lab: Lab) {
     let chosen = input.clone();
     let open = Closure::once_into_js(move || {
         if let Some(file) = chosen.files().and_then(|files| files.get(0)) {
-            open_file(lab, &file, 0);
+            open_file(lab, &file);
         }
     });
     let _ = input.add_event_listener_with_callback("change", open.unchecked_ref());
@@ -132,19 +138,13 @@ lazy! { files;
 }
 
 lazy! { files;
-    fn bytes_opened(lab: Lab, name: String, bytes: Vec<u8>, others: u32) -> () {
-        let title = if others == 0 { "" } else { "One file at a time" };
-        let rest = match others {
-            0 => String::new(),
-            1 => " The other file is not opened.".to_owned(),
-            more => format!(" The other {more} files are not opened."),
-        };
+    fn bytes_opened(lab: Lab, name: String, bytes: Vec<u8>) -> () {
         match file::read(&bytes) {
             Ok(maze) => {
                 lab.open(maze);
-                lab.say(ToastTone::Info, title, format!("Opened {name}.{rest}"));
+                lab.say(ToastTone::Info, "", format!("Opened {name}."));
             }
-            Err(why) => lab.say(ToastTone::Error, format!("Can’t read {name}"), format!("{why}{rest}")),
+            Err(why) => lab.say(ToastTone::Error, format!("Can’t read {name}"), why.to_string()),
         }
     }
 }

@@ -23,6 +23,35 @@ pub enum Room {
     Draw,
     /// Step through a run.
     Step,
+    /// Explorers side by side, and the league.
+    Compare,
+    /// Measurements, in development builds.
+    Bench,
+}
+
+impl Room {
+    /// Its name in the address.
+    #[must_use]
+    pub const fn hash(self) -> &'static str {
+        match self {
+            Self::Draw => "draw",
+            Self::Step => "step",
+            Self::Compare => "compare",
+            Self::Bench => "bench",
+        }
+    }
+
+    /// The room of this name.
+    #[must_use]
+    pub fn of_hash(hash: &str) -> Option<Self> {
+        match hash {
+            "draw" => Some(Self::Draw),
+            "step" => Some(Self::Step),
+            "compare" | "league" => Some(Self::Compare),
+            "bench" if super::browser::is_development() => Some(Self::Bench),
+            _ => None,
+        }
+    }
 }
 
 /// What a dialog shows.
@@ -50,6 +79,8 @@ pub enum Dialog {
     Paste,
     /// All samples.
     Samples,
+    /// Who is compared; the Compare room's own.
+    Lineup,
 }
 
 /// A short message at the lower edge.

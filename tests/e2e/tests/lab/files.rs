@@ -138,22 +138,6 @@ async fn files_that_cannot_be_read_are_told_with_their_place() -> Result<()> {
 }
 
 #[tokio::test]
-async fn of_several_files_the_first_is_opened_and_the_others_are_named() -> Result<()> {
-    draw_room(Setup::default(), async |page| {
-        page.run(
-            "const dataTransfer = new DataTransfer();
-            for (const name of ['one', 'two', 'three'])
-                dataTransfer.items.add(new File([`line-maze: 1\\ntitle: ${name}\\n\\n>---F\\n`], `${name}.maze`));
-            document.querySelector('main').dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));",
-        )
-        .await?;
-        page.wait_for_text(".toast", "Opened one.maze. The other 2 files are not opened.").await?;
-        page.wait_for_text(".stage .bar", "one").await
-    })
-    .await
-}
-
-#[tokio::test]
 async fn a_file_is_chosen_by_every_name() -> Result<()> {
     let chooser =
         "HTMLInputElement.prototype.click = function () { document.querySelector('main').append(this) };";
