@@ -8,6 +8,7 @@
 pub mod app;
 pub mod browser;
 pub mod clock;
+pub mod connect;
 pub mod dialogs;
 pub mod draw;
 pub mod erase;
@@ -22,6 +23,7 @@ pub mod paths;
 pub mod projector;
 pub mod rescue;
 pub mod run_view;
+pub mod serial_port;
 pub mod state;
 pub mod step;
 pub mod storage;

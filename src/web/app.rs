@@ -9,7 +9,7 @@ use super::header::Header;
 use super::projector::Projector;
 use super::state::{Lab, Room};
 use super::step::StepRoom;
-use super::{browser, clock, dialogs, draw, keys, lazy, opening, storage};
+use super::{browser, clock, connect, dialogs, draw, keys, lazy, opening, storage};
 use crate::maze::samples;
 use crate::playback::Motion;
 
@@ -41,6 +41,7 @@ pub fn App() -> impl IntoView {
                 _ if lab.link_coming.get() => lazy::arriving(),
                 (true, _) => view! { <Projector /> }.into_any(),
                 (false, Room::Draw) => lazy::view(draw::room),
+                (false, Room::Connect) => lazy::view(connect::room),
                 (false, Room::Step) => view! { <StepRoom /> }.into_any(),
             })}
         </div>
@@ -55,10 +56,7 @@ pub fn go(lab: Lab, room: Room) {
     lab.room.set(room);
     // A borrowed maze stays in the address, so that reloading shows it again.
     if !lab.borrowed.get_untracked() {
-        browser::replace_hash(match room {
-            Room::Draw => "draw",
-            Room::Step => "step",
-        });
+        browser::replace_hash(room.hash());
     }
 }
 
@@ -66,10 +64,8 @@ pub fn go(lab: Lab, room: Room) {
 fn follow_address(lab: Lab, hash: &str) {
     if let Some(payload) = hash.strip_prefix(LINK) {
         opening::open_link(lab, payload);
-    } else if hash == "draw" {
-        lab.room.set(Room::Draw);
-    } else if hash == "step" {
-        lab.room.set(Room::Step);
+    } else if let Some(room) = Room::from_hash(hash) {
+        lab.room.set(room);
     }
 }
 
@@ -81,7 +77,7 @@ fn keep(lab: Lab) {
             lab.not_kept.set(storage::keep_maze(&maze).is_err());
             // A maze of one's own is not in the address.
             if before.is_some() && browser::hash().starts_with(LINK) {
-                browser::replace_hash(if lab.room.get_untracked() == Room::Draw { "draw" } else { "step" });
+                browser::replace_hash(lab.room.get_untracked().hash());
             }
         }
     });

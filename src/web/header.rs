@@ -30,6 +30,7 @@ pub fn Header() -> impl IntoView {
             <nav aria-label="Rooms">
                 {room(Room::Draw, "Draw", "#draw")}
                 {room(Room::Step, "Step", "#step")}
+                {room(Room::Connect, "Connect", "#connect")}
             </nav>
             <div class="spacer"></div>
             <div class="tools-right">

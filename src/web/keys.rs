@@ -44,7 +44,7 @@ pub const HELP: &[(&str, &[(&str, &str)])] = &[
             ("Ctrl O", "open a file"),
             ("Ctrl V", "paste a maze or a link"),
             ("Alt N", "new maze"),
-            ("1 2", "Draw, Step"),
+            ("1 2 4", "Draw, Step, Connect"),
             ("P", "projector"),
             ("G", "glossary"),
             ("?", "these keys"),
@@ -114,7 +114,7 @@ fn press(lab: Lab, event: &KeyboardEvent) -> bool {
         return false;
     }
     everywhere(lab, &key)
-        || (lab.room.get_untracked() == Room::Step
+        || (matches!(lab.room.get_untracked(), Room::Step | Room::Connect)
             && lab.run.with_untracked(Result::is_ok)
             && step(lab, &key, event))
 }
@@ -137,6 +137,7 @@ fn everywhere(lab: Lab, key: &str) -> bool {
         "o" | "O" => lab.dialog.set(Some(Dialog::Settings)),
         "1" => go(lab, Room::Draw),
         "2" => go(lab, Room::Step),
+        "4" => go(lab, Room::Connect),
         "p" | "P" => {
             lab.room.set(Room::Step);
             lab.projector.update(|on| *on = !*on);

@@ -2,7 +2,9 @@
 
 use leptos::prelude::*;
 
-use super::run_view::{Run, Same};
+use std::any::Any;
+
+use super::run_view::{Guest, Run, Same};
 use super::storage;
 use crate::geometry::Heading;
 use crate::maze::Maze;
@@ -19,6 +21,26 @@ pub enum Room {
     Draw,
     /// Step through a run.
     Step,
+    /// A real robot on a serial line.
+    Connect,
+}
+
+impl Room {
+    /// What the address says.
+    #[must_use]
+    pub const fn hash(self) -> &'static str {
+        match self {
+            Self::Draw => "draw",
+            Self::Step => "step",
+            Self::Connect => "connect",
+        }
+    }
+
+    /// The room that an address names.
+    #[must_use]
+    pub fn from_hash(hash: &str) -> Option<Self> {
+        [Self::Draw, Self::Step, Self::Connect].into_iter().find(|room| room.hash() == hash)
+    }
 }
 
 /// What a dialog shows.
@@ -95,8 +117,16 @@ pub struct Lab {
     pub maze: Memo<Same<Maze>>,
     /// How the bot is set.
     pub settings: RwSignal<Settings>,
-    /// The run through the maze.
+    /// The page's own run through the maze.
+    pub own: Memo<Result<Same<Run>, CannotStart>>,
+    /// The run that is shown: a robot's, or the page's own.
     pub run: Memo<Result<Same<Run>, CannotStart>>,
+    /// A robot's run, while one is shown.
+    pub guest: RwSignal<Option<Same<Guest>>>,
+    /// The maze of the run that is shown.
+    pub stage: Memo<Same<Maze>>,
+    /// The connection to a robot, made by the room *Connect*; it outlives the room.
+    pub link: StoredValue<Option<Box<dyn Any>>, LocalStorage>,
     /// The room that is open.
     pub room: RwSignal<Room>,
     /// Where round 1 is played.
@@ -144,7 +174,12 @@ impl Lab {
         let history = RwSignal::new(History::new(maze));
         let settings = RwSignal::new(settings);
         let maze = Memo::new(move |_| Same::new(history.with(|history| history.maze().clone())));
-        let run = Memo::new(move |_| settings.with(|settings| Run::of(maze.get(), settings).map(Same::new)));
+        let own = Memo::new(move |_| settings.with(|settings| Run::of(maze.get(), settings).map(Same::new)));
+        let guest = RwSignal::new(None::<Same<Guest>>);
+        let run =
+            Memo::new(move |_| guest.with(|guest| guest.as_ref().map_or_else(|| own.get(), |g| Ok(g.run.clone()))));
+        let stage =
+            Memo::new(move |_| guest.with(|guest| guest.as_ref().map_or_else(|| maze.get(), |g| g.run.maze.clone())));
         let still = || {
             let mut playback = Playback::default();
             playback.set_motion(motion);
@@ -157,7 +192,11 @@ impl Lab {
             history,
             maze,
             settings,
+            own,
             run,
+            guest,
+            stage,
+            link: StoredValue::new_local(None),
             room: RwSignal::new(Room::Step),
             playback,
             solved: still(),
@@ -255,12 +294,32 @@ impl Lab {
         self.rewind();
     }
 
-    /// Back to the start of round 1.
+    /// Shows a robot's run; at its end, where the user follows it.
+    pub fn show_guest(self, guest: Guest) {
+        let before = self.guest.with_untracked(|guest| guest.as_ref().map(|guest| guest.run.trace.stops()));
+        let at = self.moment.get_untracked().stop;
+        let stops = guest.run.trace.stops();
+        // A moment that the new run does not have must never be shown.
+        let grows = before.is_some_and(|before| before <= stops);
+        if !grows {
+            self.rewind();
+        }
+        self.guest.set(Some(Same::new(guest)));
+        if !grows || before == Some(at) {
+            self.round.set(Round::Explore);
+            self.play(Command::Seek(Moment::after(stops)));
+        }
+    }
+
+    /// Back to the start of round 1 of the page's own run.
     pub fn rewind(self) {
         self.round.set(Round::Explore);
         self.lit.set(None);
         self.playback.update(Playback::rewind);
         self.solved.update(Playback::rewind);
+        if self.guest.with_untracked(Option::is_some) {
+            self.guest.set(None);
+        }
     }
 
     /// Begins round 2.
@@ -278,6 +337,6 @@ impl Lab {
     /// The drawing's name of the bot's north.
     #[must_use]
     pub fn north(self) -> Heading {
-        self.maze.with(|maze| maze.start().map_or(Heading::North, |start| start.heading))
+        self.stage.with(|maze| maze.start().map_or(Heading::North, |start| start.heading))
     }
 }

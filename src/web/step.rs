@@ -10,7 +10,7 @@ mod code;
 mod now;
 mod result;
 mod scene;
-mod table;
+pub mod table;
 pub mod transport;
 
 pub use now::{ErratumNote, Length, Said};
@@ -28,6 +28,7 @@ pub fn StepRoom() -> impl IntoView {
                 <div>
                     <StageBar />
                     <super::notes::BrokenLink />
+                    <GuestNote />
                 </div>
                 <Stage />
             </section>
@@ -57,12 +58,12 @@ pub fn StepRoom() -> impl IntoView {
 fn StageBar() -> impl IntoView {
     let lab = lab();
     let title = move || {
-        lab.maze.with(|maze| {
+        lab.stage.with(|maze| {
             if maze.about.title.is_empty() { "Untitled maze".to_owned() } else { maze.about.title.clone() }
         })
     };
     let size = move || {
-        lab.maze.with(|maze| {
+        lab.stage.with(|maze| {
             let many = |n: usize, one: &str| format!("{n} {one}{}", if n == 1 { "" } else { "s" });
             format!(
                 "{} of line · {} · {}",
@@ -72,7 +73,7 @@ fn StageBar() -> impl IntoView {
             )
         })
     };
-    let wall = move || lab.maze.with(|maze| maze.kind == Kind::Wall);
+    let wall = move || lab.stage.with(|maze| maze.kind == Kind::Wall);
     view! {
         <div class="bar">
             <b>{title}</b>
@@ -92,6 +93,26 @@ fn StageBar() -> impl IntoView {
             </button>
         </div>
     }
+}
+
+/// Whose run is shown, when it is not the page's own.
+#[component]
+pub fn GuestNote() -> impl IntoView {
+    let lab = lab();
+    part(move || {
+        lab.guest.get().map(|guest| {
+            view! {
+                <div class="note guest" role="note">
+                    <span class="mark info">{super::icons::info()}</span>
+                    <div class="row">
+                        <span>{guest.told.clone()}</span>
+                        <span class="spacer"></span>
+                        <button class="btn" on:click=mouse(move |_| lab.rewind())>"Back to the page’s own run"</button>
+                    </div>
+                </div>
+            }
+        })
+    })
 }
 
 #[component]

@@ -29,7 +29,7 @@ struct Drawn {
 pub fn Stage() -> impl IntoView {
     let lab = lab();
     let frame = NodeRef::<html::Div>::new();
-    let bounds = Memo::new(move |_| lab.maze.with(|maze| maze.bounds()));
+    let bounds = Memo::new(move |_| lab.stage.with(|maze| maze.bounds()));
     let camera = Camera::new(size_of(frame), bounds, 100.0);
     let stop = Memo::new(move |_| lab.moment.get().stop);
     let drawn = Memo::new(move |_| with_run(lab, |run| draw_trails(run, stop.get())));
@@ -84,6 +84,7 @@ pub fn Stage() -> impl IntoView {
                 // Under the nodes, so that their numbers stay readable: nose and wheels look out.
                 <Bot pose=Signal::derive(move || pose(lab)) pixel=Signal::derive(move || camera.pixel()) />
                 <Nodes camera=camera />
+                {part(move || differs(lab))}
             </svg>
             <Compass north=Signal::derive(move || lab.north()) />
             <span class="zoom"><ZoomButtons camera=camera /></span>
@@ -120,7 +121,7 @@ fn Defs() -> impl IntoView {
 fn Floor() -> impl IntoView {
     let lab = lab();
     let rect = move || {
-        lab.maze.with(|maze| {
+        lab.stage.with(|maze| {
         let bounds = maze.bounds();
         let at = |v: i32| v * UNIT;
         let (w, h) = (bounds.width() as i32 * UNIT, bounds.height() as i32 * UNIT);
@@ -133,7 +134,7 @@ fn Floor() -> impl IntoView {
 /// The line: all of it, or what the robot has seen. Only the latter changes from stop to stop.
 fn tape(lab: Lab, stop: Memo<u32>) -> String {
     if !lab.robots_eye.get() {
-        return lab.maze.with(|maze| {
+        return lab.stage.with(|maze| {
             let bounds = maze.bounds();
             paths::cells((bounds.sw(), bounds.ne()), |at, heading| maze.has_line(at, heading))
         });
@@ -200,6 +201,22 @@ fn Driving() -> impl IntoView {
     }
 }
 
+/// Where robot and page decided differently for the first time: a dashed ring and ≠.
+fn differs(lab: Lab) -> impl IntoView {
+    lab.guest.with(|guest| {
+        let guest = guest.as_ref()?;
+        let stop = guest.differs.filter(|&stop| stop <= lab.moment.get().stop)?;
+        let at = guest.run.ink.place(stop);
+        Some(view! {
+            <g class="differs" data-stop=stop transform=format!("translate({} {})", at.x * UNIT, -at.y * UNIT)>
+                <circle r="34" />
+                <circle class="plate" cx="-34" cy="-26" r="15" />
+                <path d="M-40-29h12M-40-23h12M-31-34l-6 16" />
+            </g>
+        })
+    })
+}
+
 fn route(lab: Lab) -> String {
     with_run(lab, |run| {
         run.drive.as_ref().map_or_else(String::new, |drive| {
@@ -218,7 +235,7 @@ fn pose(lab: Lab) -> Pose {
         })
     });
     posed.unwrap_or_else(|| {
-        let start = lab.maze.with(|maze| maze.start());
+        let start = lab.stage.with(|maze| maze.start());
         let at = start.map_or_else(Point::default, |start| start.at);
         let degrees = start.map_or(0.0, |start| f64::from(start.heading.index()) * 90.0);
         Pose { x: f64::from(at.x), y: f64::from(at.y), degrees }
@@ -235,7 +252,7 @@ fn Ends(camera: Camera) -> impl IntoView {
     };
     part(move || {
         let pixel = camera.pixel();
-        lab.maze.with(|maze: &super::super::run_view::Same<Maze>| {
+        lab.stage.with(|maze: &super::super::run_view::Same<Maze>| {
             let finish: Vec<Point> = maze.finish().iter().copied().filter(|&at| known(at)).collect();
             let start = maze.start().map(|start| {
                 let (x, y) = (f64::from(start.at.x * UNIT), f64::from(-start.at.y * UNIT));

@@ -88,7 +88,7 @@ impl<T: Timeline> DynTimeline for T {
 
 /// The time line: drag it, click it, or use it as a slider.
 #[component]
-fn Scrubber() -> impl IntoView {
+pub fn Scrubber() -> impl IntoView {
     let lab = lab();
     let track = NodeRef::<html::Div>::new();
     let hover = RwSignal::new(None::<(u32, f64)>);
