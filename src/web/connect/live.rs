@@ -83,8 +83,9 @@ pub fn Disagreement() -> impl IntoView {
                 <h2 id="diff-title"><span class="mark warn">{icons::differs()}</span>"First disagreement"</h2>
                 <table class="versus">
                     <thead><tr><th scope="col">{format!("stop {stop}")}</th><th scope="col">"Robot"</th><th scope="col">"Page"</th></tr></thead>
-                    <tbody>{difference.rows().into_iter().map(|row| view! {
-                        <tr class=if row.robot == row.page { "" } else { "ne" }><th scope="row">{row.name}</th><td>{row.robot}</td><td>{row.page}</td></tr>
+                    <tbody>{difference.rows().into_iter().map(|row| {
+                        let class = if row.robot == row.page { "" } else { "ne" };
+                        view! { <tr class=class><th scope="row">{row.name}</th><td>{row.robot}</td><td>{row.page}</td></tr> }
                     }).collect_view()}</tbody>
                 </table>
                 <div class="pad stack">

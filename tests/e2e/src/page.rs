@@ -26,7 +26,7 @@ pub struct Page {
 
 impl Page {
     pub(crate) async fn open(site: &Site, setup: Setup) -> Result<Self> {
-        let session = Session::start().await?;
+        let session = Session::start(&setup).await?;
         session.prepare(&setup).await?;
         let page = Self {
             session,
