@@ -75,8 +75,11 @@ impl Wire {
     }
 
     fn new(lab: Lab) -> Self {
-        // Nobody's child: the room that asked first may be left.
-        let owner = Owner::new_root(None);
+        // The whole page's: the room that asked first may be left.
+        let mut owner = Owner::current().unwrap_or_default();
+        while let Some(parent) = owner.parent() {
+            owner = parent;
+        }
         let wire = owner.with(|| Self {
             lab,
             inner: StoredValue::new_local(Inner {
@@ -94,8 +97,6 @@ impl Wire {
             known: RwSignal::new(Vec::new()),
             recorded: RwSignal::new(None),
         });
-        // The page's own: it lives as long as the page.
-        std::mem::forget(owner);
         match serial_port::ports() {
             None => wire.happened(PortEvent::NoSerial),
             Some(ports) => {

@@ -59,6 +59,17 @@ impl Page {
         self.wait_for_start().await
     }
 
+    /// Opens the page in another tab of the same browser, and stays there.
+    ///
+    /// # Errors
+    /// If it doesn't start.
+    pub async fn another_tab(&self, hash: &str) -> Result<()> {
+        let tab = self.session.client.new_window(true).await?;
+        self.session.client.switch_to_window(tab.handle).await?;
+        self.session.client.goto(&format!("{}#{hash}", self.address)).await?;
+        self.wait_for_start().await
+    }
+
     async fn wait_for_start(&self) -> Result<()> {
         self.wait_until("!document.getElementById('loading') && !!document.querySelector('main')").await
     }

@@ -153,12 +153,19 @@ fn lines_of(from: impl std::io::Read + Send + 'static) -> Receiver<String> {
     receiver
 }
 
-/// `linemaze robot` in figure 3.1, once its terminal is there.
+/// `linemaze robot` in figure 3.1, once its terminal is there; with `mute` and maybe seconds, one that hardly speaks.
 fn run_robot(pty: &Path, arguments: &[&str]) -> Result<Child> {
-    let program = named("LINEMAZE").unwrap_or_else(|| root().join("target/debug/linemaze"));
+    let mut program = named("LINEMAZE").unwrap_or_else(|| root().join("target/debug/linemaze"));
     let mut command = Command::new(&program);
-    command.args(["robot", "--pty"]).arg(pty).arg("--maze").arg(root().join("mazes/book-3-1.maze"));
-    command.args(arguments).stdout(Stdio::null());
+    if let ["mute", seconds @ ..] = arguments {
+        program = Path::new(env!("CARGO_MANIFEST_DIR")).join("serial/mute.py");
+        command = Command::new("/usr/bin/python3");
+        command.arg(&program).arg(pty).args(seconds);
+    } else {
+        command.args(["robot", "--pty"]).arg(pty).arg("--maze").arg(root().join("mazes/book-3-1.maze"));
+        command.args(arguments);
+    }
+    command.stdout(Stdio::null());
     let _ = std::fs::remove_file(pty);
     let mut robot = command.spawn().with_context(|| {
         format!("starting {}; `cargo build --features cli` makes it", program.display())

@@ -107,3 +107,59 @@ async fn a_bad_wire_never_leaves_half_a_list() -> Result<()> {
     }
     Ok(())
 }
+
+#[tokio::test]
+async fn a_robot_that_says_ready_late_is_met() -> Result<()> {
+    with(&["mute", "4.5"], async |page, _| {
+        connect(page).await?;
+        state(page, "waiting for the robot").await?;
+        state(page, "ready").await?;
+        page.wait_for_text("#port", "late-1").await
+    })
+    .await
+}
+
+#[tokio::test]
+async fn a_robot_that_never_answers_is_told_with_a_cure() -> Result<()> {
+    with(&["mute"], async |page, _| {
+        connect(page).await?;
+        state(page, "failed").await?;
+        page.wait_for_text("#link-says", "not a byte came").await?;
+        page.wait_for_text("#cure", "switched on").await?;
+        page.wait_for_text(".log", "hi #").await
+    })
+    .await
+}
+
+#[tokio::test]
+async fn a_cable_pulled_in_an_upload_leaves_the_old_list_or_the_new_one() -> Result<()> {
+    // So slowly that the cable is quicker.
+    with(&["--baud", "9600"], async |page, bench| {
+        page.wait_for("#rate").await?;
+        page.choose("#rate", "9600 baud").await?;
+        connect(page).await?;
+        state(page, "ready").await?;
+        page.wait_until("document.querySelector('#tune-line4')?.value === '400'").await?;
+        page.run("document.querySelector('#send').click()").await?;
+        bench.unplug()?;
+        page.wait_for_text("#cure", "plug the cable in again").await?;
+        page.wait_for_text("#sent", "old list").await?;
+        bench.plug(&["--baud", "9600"])?;
+        state(page, "ready").await?;
+        page.wait_for_text("#list-robot", "none").await
+    })
+    .await
+}
+
+#[tokio::test]
+async fn one_port_in_two_tabs_is_refused_with_a_cure() -> Result<()> {
+    with(&[], async |page, _| {
+        connect(page).await?;
+        state(page, "ready").await?;
+        page.another_tab("connect").await?;
+        connect(page).await?;
+        state(page, "failed").await?;
+        page.wait_for_text("#cure", "close other tabs").await
+    })
+    .await
+}
