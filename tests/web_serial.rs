@@ -132,7 +132,10 @@ async fn a_device_that_goes_is_told_once() {
 async fn streams_that_somebody_else_holds_are_told() {
     let js = fake();
     let (port, heard) = open(&js).await;
-    let locked = Function::new_with_args("port", "port.writable.getWriter(); port.fail('BreakError'); port.readable.getReader()");
+    let locked = Function::new_with_args(
+        "port",
+        "port.writable.getWriter(); port.fail('BreakError'); port.readable.getReader()",
+    );
     locked.call1(&JsValue::NULL, &js).unwrap();
     wait(60).await;
     assert!(port.write(b"hi\n").is_err());

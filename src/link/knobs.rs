@@ -64,7 +64,12 @@ impl Name {
             let unit = self.unit();
             let space = if unit.is_empty() { "" } else { " " };
             let sort = if self.is_gain() { "a number" } else { "a whole number" };
-            alloc::format!("{}: {sort} from {} to {}{space}{unit}", self.word(), self.show(least), self.show(most))
+            alloc::format!(
+                "{}: {sort} from {} to {}{space}{unit}",
+                self.word(),
+                self.show(least),
+                self.show(most)
+            )
         };
         let text = text.trim();
         let value = if self.is_gain() { thousandths(text) } else { text.parse().ok() };

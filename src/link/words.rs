@@ -22,7 +22,8 @@ impl Difference {
     /// The rows; also those that are the same.
     #[must_use]
     pub fn rows(&self) -> Vec<Versus> {
-        let row = |name, of: fn(&Opinion) -> String| Versus { name, robot: of(&self.robot), page: of(&self.page) };
+        let row =
+            |name, of: fn(&Opinion) -> String| Versus { name, robot: of(&self.robot), page: of(&self.page) };
         Vec::from([
             row("met", met),
             row("does", |opinion| does(opinion.turn).into()),

@@ -176,10 +176,12 @@ impl Lab {
         let maze = Memo::new(move |_| Same::new(history.with(|history| history.maze().clone())));
         let own = Memo::new(move |_| settings.with(|settings| Run::of(maze.get(), settings).map(Same::new)));
         let guest = RwSignal::new(None::<Same<Guest>>);
-        let run =
-            Memo::new(move |_| guest.with(|guest| guest.as_ref().map_or_else(|| own.get(), |g| Ok(g.run.clone()))));
-        let stage =
-            Memo::new(move |_| guest.with(|guest| guest.as_ref().map_or_else(|| maze.get(), |g| g.run.maze.clone())));
+        let run = Memo::new(move |_| {
+            guest.with(|guest| guest.as_ref().map_or_else(|| own.get(), |g| Ok(g.run.clone())))
+        });
+        let stage = Memo::new(move |_| {
+            guest.with(|guest| guest.as_ref().map_or_else(|| maze.get(), |g| g.run.maze.clone()))
+        });
         let still = || {
             let mut playback = Playback::default();
             playback.set_motion(motion);

@@ -61,7 +61,18 @@ pub(crate) fn wasm(shell: &Shell) -> Result<Counts> {
     let browser = browser::browser(shell)?;
     let temporary = Temporary::new(shell, "wasm")?;
     let mut command = shell.cargo();
-    command.args(["test", "--target", WASM, "--features", "web", "--test", "web", "--test", "web_serial", "--no-fail-fast"]);
+    command.args([
+        "test",
+        "--target",
+        WASM,
+        "--features",
+        "web",
+        "--test",
+        "web",
+        "--test",
+        "web_serial",
+        "--no-fail-fast",
+    ]);
     command.env("CHROMEDRIVER", browser.driver).env("TMPDIR", &temporary.0);
     cargo_test(&mut command)
 }

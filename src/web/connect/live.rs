@@ -23,7 +23,8 @@ pub(super) fn show(lab: Lab, run: &LiveRun, recording: Option<String>) {
     let fits = ground.seen.is_none();
     let maze = ground.seen.map_or(maze, Same::new);
     let (stops, differs) = (run.stops(), run.difference().map(|difference| difference.stop));
-    let whose = recording.map_or_else(|| "Live from the robot".to_owned(), |name| format!("From the recording {name}"));
+    let whose = recording
+        .map_or_else(|| "Live from the robot".to_owned(), |name| format!("From the recording {name}"));
     let how = match run.end() {
         None => "driving".to_owned(),
         Some(Outcome::Cut(cut)) => Outcome::Cut(cut).to_string(),

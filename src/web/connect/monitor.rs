@@ -33,7 +33,8 @@ pub fn MonitorCard() -> impl IntoView {
     let (lab, wire) = (lab(), wire());
     let scroller = NodeRef::<html::Div>::new();
     let sight = RwSignal::new(Sight { top: 0.0, height: 320.0, follows: true });
-    let (show, letters, paused) = (RwSignal::new(Show::All), RwSignal::new(String::new()), RwSignal::new(false));
+    let (show, letters, paused) =
+        (RwSignal::new(Show::All), RwSignal::new(String::new()), RwSignal::new(false));
     let sieve = StoredValue::new(Sieve::default());
     let typed = RwSignal::new(String::new());
     // Another filter begins from the first line that is kept.
@@ -50,7 +51,9 @@ pub fn MonitorCard() -> impl IntoView {
         if !paused {
             count.track();
         }
-        wire.peek(|link| sieve.try_update_value(|sieve| in_sight(link, sieve, sight, paused)).unwrap_or_default())
+        wire.peek(|link| {
+            sieve.try_update_value(|sieve| in_sight(link, sieve, sight, paused)).unwrap_or_default()
+        })
     });
     let on_scroll = move |_| {
         if let Some(div) = scroller.get_untracked() {
@@ -62,7 +65,9 @@ pub fn MonitorCard() -> impl IntoView {
     // After the lines are made, the newest is scrolled to.
     Effect::new(move |_| {
         lines.track();
-        if sight.get_untracked().follows && let Some(div) = scroller.get() {
+        if sight.get_untracked().follows
+            && let Some(div) = scroller.get()
+        {
             let height = f64::from(div.client_height());
             if (sight.get_untracked().height - height).abs() > 1.0 {
                 sight.update(|sight| sight.height = height);
@@ -72,7 +77,11 @@ pub fn MonitorCard() -> impl IntoView {
     });
     let copied = move |ok: bool| match ok {
         true => lab.say(ToastTone::Info, "", "The log is copied."),
-        false => lab.say(ToastTone::Error, "Can’t copy", "This browser gives no access to the clipboard: download the log instead."),
+        false => lab.say(
+            ToastTone::Error,
+            "Can’t copy",
+            "This browser gives no access to the clipboard: download the log instead.",
+        ),
     };
     let download = move |_| {
         browser::download("robot-log.txt", "text/plain", &wire.peek(|link| link.monitor().download()));
@@ -87,7 +96,8 @@ pub fn MonitorCard() -> impl IntoView {
         }
     };
     let connected = Memo::new(move |_| wire.snapshot().state);
-    let can_send = move || connected.get().is_connected() || connected.get() == crate::link::page::State::Waiting;
+    let can_send =
+        move || connected.get().is_connected() || connected.get() == crate::link::page::State::Waiting;
     let sort = move |of: Show, name: &'static str| {
         view! { <button aria-pressed=sig(move || (show.get() == of).to_string()) on:click=mouse(move |_| show.set(of))>{name}</button> }
     };

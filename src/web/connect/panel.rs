@@ -23,7 +23,13 @@ pub fn Connection() -> impl IntoView {
     let open = move || {
         matches!(
             state.get(),
-            State::Opening | State::Waiting | State::Ready | State::Sending | State::Running | State::Lost | State::Reconnecting
+            State::Opening
+                | State::Waiting
+                | State::Ready
+                | State::Sending
+                | State::Running
+                | State::Lost
+                | State::Reconnecting
         )
     };
     let note = Memo::new(move |_| wire.look(|link| link.notes().next_back().copied()));

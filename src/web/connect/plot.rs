@@ -84,7 +84,15 @@ fn strips(link: &Link) -> String {
     markup
 }
 
-fn strip(markup: &mut String, link: &Link, class: &str, name: &str, height: u32, curves: &[(&str, Curve)], value: &str) {
+fn strip(
+    markup: &mut String,
+    link: &Link,
+    class: &str,
+    name: &str,
+    height: u32,
+    curves: &[(&str, Curve)],
+    value: &str,
+) {
     let _ = write!(
         markup,
         "<div class=\"{class}\"><span>{name}</span><svg viewBox=\"0 0 {WIDTH} {height}\" preserveAspectRatio=\"none\" aria-hidden=\"true\">"

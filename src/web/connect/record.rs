@@ -40,7 +40,9 @@ pub fn RecordBar() -> impl IntoView {
         lab.say(ToastTone::Info, "", format!("{FILE} goes to your downloads."));
     };
     let choose = move |event: web_sys::Event| {
-        let Some(input) = event.target().and_then(|target| target.dyn_into::<HtmlInputElement>().ok()) else { return };
+        let Some(input) = event.target().and_then(|target| target.dyn_into::<HtmlInputElement>().ok()) else {
+            return;
+        };
         if let Some(file) = input.files().and_then(|files| files.get(0)) {
             open(lab, wire, &file);
         }

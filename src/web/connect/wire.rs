@@ -416,7 +416,8 @@ impl Wire {
 
     /// Shows the run in the stepper, if there is anything new in it.
     fn show_run(self) {
-        let chosen = self.recorded.with_untracked(|open| open.as_ref().map(|open| (open.chosen, open.name.clone())));
+        let chosen =
+            self.recorded.with_untracked(|open| open.as_ref().map(|open| (open.chosen, open.name.clone())));
         let guest_there = self.lab.guest.with_untracked(Option::is_some);
         let coming = self.change(|inner| {
             let run = match &chosen {
@@ -425,7 +426,8 @@ impl Wire {
             }?;
             let now = (run.stops(), run.end().is_some());
             // Sent away by the user: only another run comes by itself.
-            let dismissed = !guest_there && inner.shown.is_some_and(|(stops, over)| now.0 >= stops && (now.1 || !over));
+            let dismissed =
+                !guest_there && inner.shown.is_some_and(|(stops, over)| now.0 >= stops && (now.1 || !over));
             if inner.shown == Some(now) || dismissed {
                 return None;
             }

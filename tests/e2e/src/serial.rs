@@ -167,9 +167,9 @@ fn run_robot(pty: &Path, arguments: &[&str]) -> Result<Child> {
     }
     command.stdout(Stdio::null());
     let _ = std::fs::remove_file(pty);
-    let mut robot = command.spawn().with_context(|| {
-        format!("starting {}; `cargo build --features cli` makes it", program.display())
-    })?;
+    let mut robot = command
+        .spawn()
+        .with_context(|| format!("starting {}; `cargo build --features cli` makes it", program.display()))?;
     let begin = Instant::now();
     while !pty.exists() {
         if begin.elapsed() > PATIENCE || robot.try_wait()?.is_some() {
