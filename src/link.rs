@@ -9,6 +9,7 @@ pub mod fields;
 pub mod floor;
 pub mod frame;
 pub mod keep;
+pub mod knobs;
 pub mod live;
 pub mod monitor;
 pub mod page;
@@ -17,7 +18,11 @@ pub mod report;
 pub mod request;
 pub mod robot;
 pub mod session;
+pub mod sieve;
+pub mod strips;
 pub mod tune;
+pub mod usb;
+pub mod words;
 
 pub use fields::{Letters, MAX_LETTERS, Tag};
 

@@ -24,6 +24,27 @@ pub fn guess_cell_ms(trace: &Trace) -> Option<u32> {
     u32::try_from((driven + cells / 2) / cells.max(1)).ok()
 }
 
+/// Where a live run is drawn.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Ground {
+    /// What has been seen as a maze; nothing where the page's own maze fits.
+    pub seen: Option<Maze>,
+    /// Milliseconds that a cell takes the robot.
+    pub cell_ms: u32,
+}
+
+/// The floor under a live run: the page's maze at the page's pace, or at the robot's own, or else what has
+/// been seen. Nothing where the robot went too far for any maze.
+#[must_use]
+pub fn ground(maze: &Maze, trace: &Trace, page_ms: u32) -> Option<Ground> {
+    let guess_ms = guess_cell_ms(trace).unwrap_or(page_ms).max(1);
+    let fitting = [page_ms, guess_ms].into_iter().find(|&ms| first_misfit(maze, trace, ms).is_none());
+    match fitting {
+        Some(cell_ms) => Some(Ground { seen: None, cell_ms }),
+        None => Some(Ground { seen: Some(seen_maze(trace, guess_ms, maze.scale)?), cell_ms: guess_ms }),
+    }
+}
+
 /// How far a drive is from a whole number of cells, in milliseconds.
 fn off_lattice(ms: u32, cell_ms: u32) -> u64 {
     u64::from(ms).abs_diff(u64::from(cells_driven(ms, cell_ms)) * u64::from(cell_ms))

@@ -200,6 +200,18 @@ impl Monitor {
         self.dropped + self.lines.len() as u64
     }
 
+    /// The number of the oldest line that is kept.
+    #[must_use]
+    pub const fn first(&self) -> u64 {
+        self.dropped
+    }
+
+    /// The line with this number, while it is kept.
+    #[must_use]
+    pub fn line(&self, number: u64) -> Option<&LogLine> {
+        self.lines.get(usize::try_from(number.checked_sub(self.dropped)?).ok()?)
+    }
+
     /// How many of them were not used.
     #[must_use]
     pub const fn bad(&self) -> u64 {

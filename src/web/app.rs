@@ -9,7 +9,7 @@ use super::header::Header;
 use super::projector::Projector;
 use super::state::{Lab, Room};
 use super::step::StepRoom;
-use super::{bench, browser, clock, compare, dialogs, draw, keys, lazy, opening, others, storage};
+use super::{bench, browser, clock, compare, connect, dialogs, draw, keys, lazy, opening, others, storage};
 use crate::maze::samples;
 use crate::playback::Motion;
 
@@ -41,6 +41,7 @@ pub fn App() -> impl IntoView {
             {part(move || match (lab.projector.get(), lab.room.get()) {
                 _ if lab.link_coming.get() => lazy::arriving(),
                 (false, Room::Draw) => lazy::view(draw::room),
+                (false, Room::Connect) => lazy::view(connect::room),
                 (true, _) if !book.get() => lazy::view(others::projector),
                 (false, Room::Step) if !book.get() => lazy::view(others::room),
                 (true, _) => view! { <Projector /> }.into_any(),

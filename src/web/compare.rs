@@ -7,8 +7,6 @@ use super::app::go;
 use super::lazy::{self, lazy};
 use super::state::{Dialog, Lab, Room, Round, lab};
 use crate::explorer::name::Name;
-use crate::playback::Command;
-use crate::trace::Moment;
 
 mod desk;
 mod files;

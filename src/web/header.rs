@@ -31,6 +31,7 @@ pub fn Header() -> impl IntoView {
                 {room(Room::Draw, "Draw", "#draw")}
                 {room(Room::Step, "Step", "#step")}
                 {room(Room::Compare, "Compare", "#compare")}
+                {room(Room::Connect, "Connect", "#connect")}
             </nav>
             <div class="spacer"></div>
             <div class="tools-right">

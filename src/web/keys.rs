@@ -45,7 +45,7 @@ pub const HELP: &[(&str, &[(&str, &str)])] = &[
             ("Ctrl O", "open a file"),
             ("Ctrl V", "paste a maze or a link"),
             ("Alt N", "new maze"),
-            ("1 2 3", "Draw, Step, Compare"),
+            ("1 2 3 4", "Draw, Step, Compare, Connect"),
             ("P", "projector"),
             ("G", "glossary"),
             ("?", "these keys"),
@@ -116,7 +116,7 @@ fn press(lab: Lab, event: &KeyboardEvent) -> bool {
         return false;
     }
     everywhere(lab, &key)
-        || (lab.room.get_untracked() == Room::Step
+        || (matches!(lab.room.get_untracked(), Room::Step | Room::Connect)
             && untrack(|| lab.shown(|_| ()).is_some())
             && step(lab, &key, event))
 }
@@ -140,6 +140,7 @@ fn everywhere(lab: Lab, key: &str) -> bool {
         "1" => go(lab, Room::Draw),
         "2" => go(lab, Room::Step),
         "3" => go(lab, Room::Compare),
+        "4" => go(lab, Room::Connect),
         "p" | "P" => {
             lab.room.set(Room::Step);
             lab.projector.update(|on| *on = !*on);

@@ -63,7 +63,26 @@ pub struct Run {
     pub walk: Walk,
 }
 
+/// A run that is not the page's own: a robot's, live or recorded.
+#[derive(Debug)]
+pub struct Guest {
+    /// The run.
+    pub run: Same<Run>,
+    /// Whose it is, and how far.
+    pub told: String,
+    /// The first stop at which robot and page decided differently.
+    pub differs: Option<u32>,
+}
+
 impl Run {
+    /// A robot's run as it was told: nothing is worked out but what is seen.
+    #[must_use]
+    pub fn told(maze: Same<Maze>, trace: Trace, cell_ms: u32) -> Self {
+        let ink = Ink::of(&maze, &trace, cell_ms);
+        let list = TurnList::of(&trace);
+        Self { maze, trace, ink, cell_ms, drive: None, list, shortest: None, walk: Walk::Other }
+    }
+
     /// Runs the explorer.
     ///
     /// # Errors

@@ -2,10 +2,11 @@
 
 use leptos::prelude::*;
 
+use std::any::Any;
 use std::sync::Arc;
 
 use super::played::Played;
-use super::run_view::{Run, Same};
+use super::run_view::{Guest, Run, Same};
 use super::storage;
 use crate::explorer::name::Name;
 use crate::geometry::Heading;
@@ -25,6 +26,8 @@ pub enum Room {
     Step,
     /// Explorers side by side, and the league.
     Compare,
+    /// A real robot on a serial line.
+    Connect,
     /// Measurements, in development builds.
     Bench,
 }
@@ -37,6 +40,7 @@ impl Room {
             Self::Draw => "draw",
             Self::Step => "step",
             Self::Compare => "compare",
+            Self::Connect => "connect",
             Self::Bench => "bench",
         }
     }
@@ -48,6 +52,7 @@ impl Room {
             "draw" => Some(Self::Draw),
             "step" => Some(Self::Step),
             "compare" | "league" => Some(Self::Compare),
+            "connect" => Some(Self::Connect),
             "bench" if super::browser::is_development() => Some(Self::Bench),
             _ => None,
         }
@@ -138,8 +143,16 @@ pub struct Lab {
     pub other: RwSignal<Option<Result<Arc<dyn Played>, CannotStart>>>,
     /// The stop of that run that is to be shown when it is there.
     pub awaited: RwSignal<Option<u32>>,
-    /// The book's run through the maze.
+    /// The page's own run through the maze.
+    pub own: Memo<Result<Same<Run>, CannotStart>>,
+    /// The run that is shown: a robot's, or the page's own.
     pub run: Memo<Result<Same<Run>, CannotStart>>,
+    /// A robot's run, while one is shown.
+    pub guest: RwSignal<Option<Same<Guest>>>,
+    /// The maze of the run that is shown.
+    pub stage: Memo<Same<Maze>>,
+    /// The connection to a robot, made by the room *Connect*; it outlives the room.
+    pub link: StoredValue<Option<Box<dyn Any>>, LocalStorage>,
     /// The room that is open.
     pub room: RwSignal<Room>,
     /// Where round 1 is played.
@@ -187,7 +200,14 @@ impl Lab {
         let history = RwSignal::new(History::new(maze));
         let settings = RwSignal::new(settings);
         let maze = Memo::new(move |_| Same::new(history.with(|history| history.maze().clone())));
-        let run = Memo::new(move |_| settings.with(|settings| Run::of(maze.get(), settings).map(Same::new)));
+        let own = Memo::new(move |_| settings.with(|settings| Run::of(maze.get(), settings).map(Same::new)));
+        let guest = RwSignal::new(None::<Same<Guest>>);
+        let run = Memo::new(move |_| {
+            guest.with(|guest| guest.as_ref().map_or_else(|| own.get(), |g| Ok(g.run.clone())))
+        });
+        let stage = Memo::new(move |_| {
+            guest.with(|guest| guest.as_ref().map_or_else(|| maze.get(), |g| g.run.maze.clone()))
+        });
         let still = || {
             let mut playback = Playback::default();
             playback.set_motion(motion);
@@ -203,7 +223,11 @@ impl Lab {
             explorer: RwSignal::new(explorer),
             other: RwSignal::new(None),
             awaited: RwSignal::new(None),
+            own,
             run,
+            guest,
+            stage,
+            link: StoredValue::new_local(None),
             room: RwSignal::new(Room::Step),
             playback,
             solved: still(),
@@ -232,10 +256,10 @@ impl Lab {
         }
     }
 
-    /// Whether the book's explorer drives, which has a view of its own.
+    /// Whether the book's explorer drives, which has a view of its own; a robot's run is the book's too.
     #[must_use]
     pub fn by_the_book(self) -> bool {
-        self.explorer.get() == Name::Book
+        self.guest.with(Option::is_some) || self.explorer.get() == Name::Book
     }
 
     /// Something about the run that is shown, whoever drives; none where there is no run.
@@ -290,6 +314,7 @@ impl Lab {
     /// Shows a stop of an explorer's run through the maze that is open.
     pub fn watch(self, explorer: Name, stop: u32) {
         self.choose(explorer);
+        self.guest.set(None);
         self.round.set(Round::Explore);
         let there = untrack(|| self.shown(|_| ()).is_some());
         self.awaited.set((!there).then_some(stop));
@@ -345,13 +370,33 @@ impl Lab {
         self.rewind();
     }
 
-    /// Back to the start of round 1.
+    /// Shows a robot's run; at its end, where the user follows it.
+    pub fn show_guest(self, guest: Guest) {
+        let before = self.guest.with_untracked(|guest| guest.as_ref().map(|guest| guest.run.trace.stops()));
+        let at = self.moment.get_untracked().stop;
+        let stops = guest.run.trace.stops();
+        // A moment that the new run does not have must never be shown.
+        let grows = before.is_some_and(|before| before <= stops);
+        if !grows {
+            self.rewind();
+        }
+        self.guest.set(Some(Same::new(guest)));
+        if !grows || before == Some(at) {
+            self.round.set(Round::Explore);
+            self.play(Command::Seek(Moment::after(stops)));
+        }
+    }
+
+    /// Back to the start of round 1 of the page's own run.
     pub fn rewind(self) {
         self.awaited.set(None);
         self.round.set(Round::Explore);
         self.lit.set(None);
         self.playback.update(Playback::rewind);
         self.solved.update(Playback::rewind);
+        if self.guest.with_untracked(Option::is_some) {
+            self.guest.set(None);
+        }
     }
 
     /// Begins round 2.
@@ -369,6 +414,6 @@ impl Lab {
     /// The drawing's name of the bot's north.
     #[must_use]
     pub fn north(self) -> Heading {
-        self.maze.with(|maze| maze.start().map_or(Heading::North, |start| start.heading))
+        self.stage.with(|maze| maze.start().map_or(Heading::North, |start| start.heading))
     }
 }

@@ -11,7 +11,7 @@ mod errata;
 pub mod now;
 pub mod result;
 pub mod scene;
-mod table;
+pub mod table;
 pub mod transport;
 pub mod walled;
 
@@ -31,6 +31,7 @@ pub fn StepRoom() -> impl IntoView {
                 <div>
                     <StageBar><Legend /></StageBar>
                     <super::notes::BrokenLink />
+                    <GuestNote />
                 </div>
                 <Stage />
             </section>
@@ -60,12 +61,12 @@ pub fn StepRoom() -> impl IntoView {
 pub fn StageBar(children: Children) -> impl IntoView {
     let lab = lab();
     let title = move || {
-        lab.maze.with(|maze| {
+        lab.stage.with(|maze| {
             if maze.about.title.is_empty() { "Untitled maze".to_owned() } else { maze.about.title.clone() }
         })
     };
     let size = move || {
-        lab.maze.with(|maze| {
+        lab.stage.with(|maze| {
             let many = |n: usize, one: &str| format!("{n} {one}{}", if n == 1 { "" } else { "s" });
             let cells = match maze.kind {
                 Kind::Line => many(maze.cells(), "cell") + " of line",
@@ -94,10 +95,30 @@ pub fn StageBar(children: Children) -> impl IntoView {
     }
 }
 
+/// Whose run is shown, when it is not the page's own.
+#[component]
+pub fn GuestNote() -> impl IntoView {
+    let lab = lab();
+    part(move || {
+        lab.guest.get().map(|guest| {
+            view! {
+                <div class="note guest" role="note">
+                    <span class="mark info">{super::icons::info()}</span>
+                    <div class="row">
+                        <span>{guest.told.clone()}</span>
+                        <span class="spacer"></span>
+                        <button class="btn" on:click=mouse(move |_| lab.rewind())>"Back to the page’s own run"</button>
+                    </div>
+                </div>
+            }
+        })
+    })
+}
+
 #[component]
 fn Legend() -> impl IntoView {
     let lab = lab();
-    let walls = Memo::new(move |_| lab.maze.with(|maze| maze.kind == Kind::Wall));
+    let walls = Memo::new(move |_| lab.stage.with(|maze| maze.kind == Kind::Wall));
     view! {
         <span class="legend hide-l" class:walls=sig(move || walls.get()) aria-hidden="true">
             <span>

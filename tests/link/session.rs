@@ -67,4 +67,10 @@ fn what_the_robot_saw_is_drawn_without_a_maze() {
     assert_eq!(ink.crossed_cells(25), 20);
     assert_eq!(floor::first_misfit(&figure, &trace, 400), None);
     assert_eq!(floor::first_misfit(&figure_2_4(), &trace, 400), Some(1));
+    // The page's maze is the ground, also where the page takes the robot for slower; another maze is not.
+    for page_ms in [400, 650] {
+        assert_eq!(floor::ground(&figure, &trace, page_ms), Some(floor::Ground { seen: None, cell_ms: 400 }));
+    }
+    let ground = floor::ground(&figure_2_4(), &trace, 400).unwrap();
+    assert_eq!(ground.seen, floor::seen_maze(&trace, 400, figure.scale));
 }

@@ -29,6 +29,29 @@ pub(crate) fn browser(shell: &Shell) -> Result<Browser> {
     find(shell).context("Chromium was installed, but isn't on the PATH")
 }
 
+/// What mocks a serial port, and shows a browser's window where there is no screen.
+const SERIAL: [&str; 7] =
+    ["umockdev", "libumockdev-dev", "gir1.2-umockdev-1.0", "python3-gi", "xvfb", "openbox", "xdotool"];
+
+/// Whether the browser's serial ports can be tried; on Debian what that needs is installed. It must not be
+/// left out on CI.
+pub(crate) fn serial(shell: &Shell) -> Result<bool> {
+    let there = |name: &&str| shell.find(name).is_some();
+    if ["umockdev-run", "Xvfb", "openbox", "xdotool"].iter().all(there) {
+        return Ok(true);
+    }
+    match apt_install(shell, "a mocked serial port, for the tests of Connect", &SERIAL) {
+        Ok(()) => Ok(true),
+        Err(error) if env::var_os("CI").is_some_and(|value| value == "true") => {
+            Err(error).cure("on CI the tests of the serial port must not be left out: run them on Debian")
+        }
+        Err(error) => {
+            say(&format!("LEFT OUT: the tests of the real serial port, which need umockdev ({error})"));
+            Ok(false)
+        }
+    }
+}
+
 /// Sees to it that node and npm are there.
 pub(crate) fn node(shell: &Shell) -> Result<()> {
     if shell.find("node").is_some() && shell.find("npm").is_some() {

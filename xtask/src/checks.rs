@@ -61,7 +61,18 @@ pub(crate) fn wasm(shell: &Shell) -> Result<Counts> {
     let browser = browser::browser(shell)?;
     let temporary = Temporary::new(shell, "wasm")?;
     let mut command = shell.cargo();
-    command.args(["test", "--target", WASM, "--features", "web", "--test", "web", "--no-fail-fast"]);
+    command.args([
+        "test",
+        "--target",
+        WASM,
+        "--features",
+        "web",
+        "--test",
+        "web",
+        "--test",
+        "web_serial",
+        "--no-fail-fast",
+    ]);
     command.env("CHROMEDRIVER", browser.driver).env("TMPDIR", &temporary.0);
     cargo_test(&mut command)
 }
@@ -73,6 +84,9 @@ pub(crate) fn e2e(shell: &Shell) -> Result<Counts> {
     if !axe.is_file() {
         tools::npm_package(shell, "axe-core", AXE_CORE, "which looks for barriers on the page")?;
     }
+    browser::serial(shell)?;
+    // The robot at the other end of a mocked serial port.
+    run(shell.cargo().args(["build", "--features", "cli", "--bin", "linemaze"]))?;
     let temporary = Temporary::new(shell, "e2e")?;
     let mut command = shell.cargo();
     command.args(["test", "--package", "e2e", "--no-fail-fast"]);

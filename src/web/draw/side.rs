@@ -60,14 +60,14 @@ pub fn Explorer() -> impl IntoView {
     };
     let sentence = move || {
         follow();
-        lab.run.with_untracked(|run| match run {
+        lab.own.with_untracked(|run| match run {
             Ok(run) => verdict(run),
             Err(why) => view! { {why.to_string()} }.into_any(),
         })
     };
     let can = Memo::new(move |_| {
         follow();
-        lab.run.with_untracked(Result::is_ok)
+        lab.own.with_untracked(Result::is_ok)
     });
     view! {
         <section class="card fill explorer">

@@ -33,7 +33,7 @@ struct Drawn {
 pub fn Stage() -> impl IntoView {
     let lab = lab();
     let frame = NodeRef::<html::Div>::new();
-    let bounds = Memo::new(move |_| lab.maze.with(|maze| maze.bounds()));
+    let bounds = Memo::new(move |_| lab.stage.with(|maze| maze.bounds()));
     let camera = Camera::new(size_of(frame), bounds, 100.0);
     let stop = Memo::new(move |_| lab.moment.get().stop);
     let drawn = Memo::new(move |_| with_run(lab, |run| draw_trails(run, stop.get())));
@@ -49,7 +49,7 @@ pub fn Stage() -> impl IntoView {
             >
                 <Defs />
                 <Floor />
-                <path class="solid" d=sig(move || lab.maze.with(|maze| walled::solid(maze, seen(lab, stop).as_deref()))) />
+                <path class="solid" d=sig(move || lab.stage.with(|maze| walled::solid(maze, seen(lab, stop).as_deref()))) />
                 <path class="tape" d=sig(move || tape(lab, stop)) />
                 {part(move || (lab.round.get() == Round::Explore).then(|| view! {
                     <path class="remembered" d=sig(move || drawn.with(|d| d.remembered.clone())) />
@@ -62,6 +62,7 @@ pub fn Stage() -> impl IntoView {
                 // Under the nodes, so that their numbers stay readable: nose and wheels look out.
                 <Bot pose=Signal::derive(move || pose(lab)) pixel=Signal::derive(move || camera.pixel()) />
                 <Nodes camera=camera />
+                {part(move || differs(lab))}
             </svg>
     };
     canvas(lab, camera, frame, picture.into_any())
@@ -135,14 +136,14 @@ pub fn Defs() -> impl IntoView {
 pub fn Floor() -> impl IntoView {
     let lab = lab();
     let rect = move || {
-        lab.maze.with(|maze| {
+        lab.stage.with(|maze| {
         let bounds = maze.bounds();
         let at = |v: i32| v * UNIT;
         let (w, h) = (bounds.width() as i32 * UNIT, bounds.height() as i32 * UNIT);
         view! { <rect x=at(bounds.sw().x) - UNIT / 2 y=-at(bounds.ne().y) - UNIT / 2 width=w height=h fill="url(#dots)" /> }
     })
     };
-    part(move || (!lab.robots_eye.get() && lab.maze.with(|maze| maze.kind == Kind::Line)).then(rect))
+    part(move || (!lab.robots_eye.get() && lab.stage.with(|maze| maze.kind == Kind::Line)).then(rect))
 }
 
 /// What the robot has seen until now; none where all of the maze is shown. Only this changes from stop to stop.
@@ -157,13 +158,13 @@ fn seen(lab: Lab, stop: Memo<u32>) -> Option<Vec<(Point, Ways)>> {
 
 /// The line, or the walls: all of them, or what the robot has seen.
 fn tape(lab: Lab, stop: Memo<u32>) -> String {
-    let kind = lab.maze.with(|maze| maze.kind);
+    let kind = lab.stage.with(|maze| maze.kind);
     let seen = (kind == Kind::Wall).then(|| seen(lab, stop)).flatten();
     if let Some(seen) = seen {
         return walled::seen_walls(&seen);
     }
     if kind == Kind::Wall || !lab.robots_eye.get() {
-        return lab.maze.with(|maze| {
+        return lab.stage.with(|maze| {
             let bounds = maze.bounds();
             paths::drawn(maze, (bounds.sw(), bounds.ne()))
         });
@@ -235,6 +236,22 @@ fn Driving() -> impl IntoView {
     }
 }
 
+/// Where robot and page decided differently for the first time: a dashed ring and ≠.
+fn differs(lab: Lab) -> impl IntoView {
+    lab.guest.with(|guest| {
+        let guest = guest.as_ref()?;
+        let stop = guest.differs.filter(|&stop| stop <= lab.moment.get().stop)?;
+        let at = guest.run.ink.place(stop);
+        Some(view! {
+            <g class="differs" data-stop=stop transform=format!("translate({} {})", at.x * UNIT, -at.y * UNIT)>
+                <circle r="34" />
+                <circle class="plate" cx="-34" cy="-26" r="15" />
+                <path d="M-40-29h12M-40-23h12M-31-34l-6 16" />
+            </g>
+        })
+    })
+}
+
 /// The way of round 2.
 pub fn route(lab: Lab) -> String {
     let points = |run: &dyn Played| {
@@ -255,7 +272,7 @@ fn pose(lab: Lab) -> Pose {
         })
     });
     posed.unwrap_or_else(|| {
-        let start = lab.maze.with(|maze| maze.start());
+        let start = lab.stage.with(|maze| maze.start());
         let at = start.map_or_else(Point::default, |start| start.at);
         let degrees = start.map_or(0.0, |start| f64::from(start.heading.index()) * 90.0);
         Pose { x: f64::from(at.x), y: f64::from(at.y), degrees }
@@ -273,7 +290,7 @@ pub fn Ends(
     let known = move |at: Point| !lab.robots_eye.get() || known(at);
     part(move || {
         let pixel = camera.pixel();
-        lab.maze.with(|maze: &super::super::run_view::Same<Maze>| {
+        lab.stage.with(|maze: &super::super::run_view::Same<Maze>| {
             let finish: Vec<Point> = maze.finish().iter().copied().filter(|&at| known(at)).collect();
             let start = maze.start().map(|start| {
                 let (x, y) = (f64::from(start.at.x * UNIT), f64::from(-start.at.y * UNIT));

@@ -74,7 +74,7 @@ fn timeline<T>(lab: Lab, default: T, of: impl FnOnce(&dyn Timeline) -> T) -> T {
 
 /// The time line: drag it, click it, or use it as a slider.
 #[component]
-fn Scrubber() -> impl IntoView {
+pub fn Scrubber() -> impl IntoView {
     let lab = lab();
     let track = NodeRef::<html::Div>::new();
     let hover = RwSignal::new(None::<(u32, f64)>);

@@ -9,7 +9,7 @@ use crate::web::state::Lab;
 
 /// Whether the maze is one of walls.
 pub fn is(lab: Lab) -> bool {
-    lab.maze.with(|maze| maze.kind == Kind::Wall)
+    lab.stage.with(|maze| maze.kind == Kind::Wall)
 }
 
 /// Squares that are closed all round, or that the robot has not seen; `seen` in order, none where all is shown.

@@ -27,16 +27,17 @@ impl Driver {
         if let Some(driver) = running.upgrade() {
             return Ok(driver);
         }
-        let driver = Arc::new(Self::start()?);
+        let driver = Arc::new(Self::start(&[])?);
         *running = Arc::downgrade(&driver);
         Ok(driver)
     }
 
     /// It chooses a free port, and says which one when it's ready.
-    fn start() -> Result<Self> {
+    pub(crate) fn start(variables: &[(&'static str, PathBuf)]) -> Result<Self> {
         let program = named("CHROMEDRIVER").unwrap_or_else(|| PathBuf::from("chromedriver"));
         let mut process = Command::new(&program)
             .args(["--port=0", "--log-level=SEVERE"])
+            .envs(variables.iter().map(|(name, value)| (name, value)))
             .stdout(Stdio::piped())
             .stderr(Stdio::null())
             .spawn()

@@ -15,6 +15,7 @@ mod files;
 mod input;
 mod look;
 mod page;
+mod serial;
 mod session;
 mod site;
 
@@ -27,6 +28,7 @@ use futures_util::FutureExt;
 pub use files::Downloads;
 pub use input::{Button, Place};
 pub use page::Page;
+pub use serial::{Bench, Bus, bench};
 pub use session::Setup;
 pub use site::Site;
 
@@ -60,6 +62,20 @@ pub async fn lab_at(site: &Site, setup: Setup, body: impl AsyncFnOnce(&Page) -> 
     let complaints = page.complaints().await?;
     assert!(complaints.is_empty(), "the console complains:\n{}", complaints.join("\n"));
     Ok(())
+}
+
+/// The page in a browser that has this bench's serial port; the test may pull its cable.
+///
+/// # Errors
+/// What the test's body says, or what stands in the console.
+pub async fn lab_on(
+    bench: &mut Bench,
+    setup: Setup,
+    body: impl AsyncFnOnce(&Page, &mut Bench) -> Result<()>,
+) -> Result<()> {
+    let site = Site::start().await?;
+    let setup = setup.with_serial(bench, &site)?;
+    lab_at(&site, setup, async |page| body(page, bench).await).await
 }
 
 /// The repository's folder.

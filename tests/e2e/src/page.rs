@@ -26,7 +26,7 @@ pub struct Page {
 
 impl Page {
     pub(crate) async fn open(site: &Site, setup: Setup) -> Result<Self> {
-        let session = Session::start().await?;
+        let session = Session::start(&setup).await?;
         session.prepare(&setup).await?;
         let page = Self {
             session,
@@ -56,6 +56,17 @@ impl Page {
         self.eval("window.beforeReload = true").await?;
         self.session.client.refresh().await?;
         self.wait_until("!window.beforeReload").await?;
+        self.wait_for_start().await
+    }
+
+    /// Opens the page in another tab of the same browser, and stays there.
+    ///
+    /// # Errors
+    /// If it doesn't start.
+    pub async fn another_tab(&self, hash: &str) -> Result<()> {
+        let tab = self.session.client.new_window(true).await?;
+        self.session.client.switch_to_window(tab.handle).await?;
+        self.session.client.goto(&format!("{}#{hash}", self.address)).await?;
         self.wait_for_start().await
     }
 

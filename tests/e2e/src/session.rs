@@ -1,5 +1,6 @@
 //! A browser with a fresh profile, told what a test needs before the page is opened.
 
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use anyhow::{Context, Result};
@@ -12,6 +13,8 @@ use url::{ParseError, Url};
 
 use crate::driver::Driver;
 use crate::named;
+use crate::serial::{Bench, preload};
+use crate::site::Site;
 
 /// As the tests' Chromium starts everywhere, also as root in a container.
 const FLAGS: &[&str] = &[
@@ -36,6 +39,14 @@ pub struct Setup {
     pub(crate) hash: String,
     pub(crate) expected: Vec<&'static str>,
     pub(crate) arrives: bool,
+    pub(crate) serial: Option<Serial>,
+}
+
+/// A browser with a mocked serial port: what it is started with.
+#[derive(Clone, Debug)]
+pub(crate) struct Serial {
+    variables: Vec<(&'static str, PathBuf)>,
+    profile: PathBuf,
 }
 
 impl Default for Setup {
@@ -49,6 +60,7 @@ impl Default for Setup {
             hash: String::new(),
             expected: Vec::new(),
             arrives: true,
+            serial: None,
         }
     }
 }
@@ -112,6 +124,18 @@ impl Setup {
         self
     }
 
+    /// With a mocked serial port, and the permission to open it where it is on USB.
+    pub(crate) fn with_serial(mut self, bench: &Bench, site: &Site) -> Result<Self> {
+        let profile = bench.folder().join("profile");
+        let default = profile.join("Default");
+        std::fs::create_dir_all(&default)?;
+        std::fs::write(default.join("Preferences"), bench.preferences(&site.origin()).to_string())?;
+        let library = preload().context("no umockdev")?;
+        let variables = vec![("LD_PRELOAD", library), ("UMOCKDEV_DIR", bench.mocked.clone())];
+        self.serial = Some(Serial { variables, profile });
+        Ok(self)
+    }
+
     /// Where the page can't be expected to start.
     #[must_use]
     pub const fn never_arrives(mut self) -> Self {
@@ -147,9 +171,16 @@ pub(crate) struct Session {
 }
 
 impl Session {
-    pub(crate) async fn start() -> Result<Self> {
-        let driver = Driver::shared()?;
-        let mut options = json!({ "args": FLAGS });
+    pub(crate) async fn start(setup: &Setup) -> Result<Self> {
+        let driver = match &setup.serial {
+            None => Driver::shared()?,
+            Some(serial) => Arc::new(Driver::start(&serial.variables)?),
+        };
+        let mut flags: Vec<String> = FLAGS.iter().map(|&flag| flag.to_owned()).collect();
+        if let Some(serial) = &setup.serial {
+            flags.push(format!("--user-data-dir={}", serial.profile.display()));
+        }
+        let mut options = json!({ "args": flags });
         if let Some(chromium) = named("CHROMIUM") {
             options["binary"] = json!(chromium);
         }

@@ -57,6 +57,12 @@ impl Site {
         format!("http://localhost:{}{FOLDER}", self.port)
     }
 
+    /// The page's origin.
+    #[must_use]
+    pub fn origin(&self) -> String {
+        format!("http://localhost:{}", self.port)
+    }
+
     /// From now on, files with this in their names are not found.
     pub fn lose(&self, part: &'static str) {
         self.faults().missing.push(part);

@@ -1,5 +1,6 @@
 //! The lab as people use it, in a real browser.
 
+mod connect;
 mod draw;
 mod draw_help;
 mod drawing;
@@ -8,6 +9,7 @@ mod figure_3_1;
 mod files;
 mod offline;
 mod others;
+mod serial;
 mod share;
 mod step;
 mod trouble;

@@ -1,0 +1,197 @@
+//! The room *Connect* with the demo robot: everything that needs no port.
+
+use anyhow::Result;
+use e2e::{Page, Setup, lab};
+use serde_json::json;
+
+/// Waits for a word in the connection's state.
+pub(crate) async fn state(page: &Page, word: &str) -> Result<()> {
+    page.wait_for_text("#state", word).await
+}
+
+/// The demo robot, met.
+async fn demo(page: &Page) -> Result<()> {
+    page.wait_for("#demo").await?;
+    page.click("Demo robot").await?;
+    state(page, "ready").await?;
+    // The settings are asked for last.
+    page.wait_until("document.querySelector('#tune-line4')?.value === '400'").await
+}
+
+/// At 100 times its pace the demo robot would be another one: its time runs as the page's does.
+fn hurried() -> Setup {
+    let script = "const begin = performance.now(), now = performance.now.bind(performance); \
+                  performance.now = () => begin + (now() - begin) * 8;";
+    Setup::default().at("connect").script(script)
+}
+
+/// Explores figure 3.1 to its end.
+pub(crate) async fn explore(page: &Page) -> Result<()> {
+    page.click("I put it back").await?;
+    page.wait_until("!document.querySelector('#explore').disabled").await?;
+    page.click("Explore").await?;
+    state(page, "running").await
+}
+
+#[tokio::test]
+async fn the_demo_robot_is_met_and_left() -> Result<()> {
+    lab(Setup::default().at("connect"), async |page| {
+        demo(page).await?;
+        assert!(page.text("#port").await?.contains("Demo robot"));
+        assert_eq!(page.value("#tune-kp").await?, "0.62");
+        page.wait_for_text("#list-robot", "none").await?;
+        page.click("Disconnect").await?;
+        state(page, "not connected").await
+    })
+    .await
+}
+
+#[tokio::test]
+async fn a_turn_list_is_sent_and_read_back() -> Result<()> {
+    lab(Setup::default().at("connect"), async |page| {
+        demo(page).await?;
+        page.click("Send").await?;
+        page.wait_for_text("#sent", "read back and compared").await?;
+        page.wait_for_text("#same", "same on both").await?;
+        let here = page.attribute("#list-here ol", "aria-label").await?;
+        assert_eq!(page.attribute("#list-robot ol", "aria-label").await?, here);
+        // It outlives the robot being switched off, and the room being left.
+        page.click("Disconnect").await?;
+        demo(page).await?;
+        page.wait_for_text("#same", "same on both").await?;
+        page.press("2").await?;
+        page.wait_for(".transport .play").await?;
+        page.press("4").await?;
+        state(page, "ready").await
+    })
+    .await
+}
+
+#[tokio::test]
+async fn a_run_is_followed_live_in_the_stepper() -> Result<()> {
+    lab(hurried(), async |page| {
+        demo(page).await?;
+        explore(page).await?;
+        page.wait_for_text(".note.guest", "live from the robot").await?;
+        page.wait_for_text(".note.guest", "25 stops, finish reached").await?;
+        state(page, "ready").await?;
+        let stage = ".live .maze[data-stop]";
+        assert_eq!(page.attribute(stage, "data-crossed").await?, "20");
+        // The learned list is on the robot.
+        page.click("Read back").await?;
+        page.wait_for_text("#list-robot", "learned by itself").await?;
+        // Back and forth, here and in the room Step.
+        page.press_times("ArrowLeft", 2).await?;
+        page.wait_until("document.querySelector('.live .maze[data-stop]').dataset.stop === '23'").await?;
+        page.press("2").await?;
+        page.wait_for_text(".note.guest", "live from the robot").await?;
+        page.press("ArrowRight").await?;
+        page.wait_until("document.querySelector('.maze[data-stop]').dataset.stop === '24'").await?;
+        page.wait_for_text("#said", "return-known").await?;
+        page.click("Back to the page’s own run").await?;
+        page.wait_for_no(".note.guest").await
+    })
+    .await
+}
+
+#[tokio::test]
+async fn a_session_is_saved_and_opened_without_the_robot() -> Result<()> {
+    lab(hurried(), async |page| {
+        let downloads = page.allow_downloads().await?;
+        demo(page).await?;
+        explore(page).await?;
+        page.wait_for_text(".note.guest", "finish reached").await?;
+        page.click("Save").await?;
+        let session = downloads.file("robot-session.txt").await?;
+        assert!(session.starts_with("line-maze-session: 1\n"), "{session}");
+        page.reload().await?;
+        page.wait_for("#session-file").await?;
+        let path = std::env::temp_dir().join(format!("line-maze-session-{}.txt", std::process::id()));
+        std::fs::write(&path, session)?;
+        page.choose_file("#session-file", &path).await?;
+        page.wait_for_text(".note.guest", "25 stops, finish reached").await?;
+        page.press("Home").await?;
+        page.press("ArrowRight").await?;
+        page.wait_until("document.querySelector('.live .maze[data-stop]').dataset.stop === '1'").await?;
+        page.click("Close the recording").await?;
+        page.wait_for_no("[aria-label='Close the recording']").await?;
+        std::fs::write(&path, "line-maze-session: 1\n5 < beat 1 2*00\n")?;
+        page.choose_file("#session-file", &path).await?;
+        page.wait_for_text(".toast", "line 2: the checksum does not fit").await?;
+        std::fs::remove_file(path)?;
+        Ok(())
+    })
+    .await
+}
+
+#[tokio::test]
+async fn settings_are_checked_and_sent() -> Result<()> {
+    lab(Setup::default().at("connect"), async |page| {
+        demo(page).await?;
+        page.fill("#tune-kp", "abc").await?;
+        page.click("Send settings").await?;
+        page.wait_for_text(".settings .wrong", "kp: a number from 0 to 1000").await?;
+        page.fill("#tune-kp", "0.75").await?;
+        page.click("Send settings").await?;
+        page.wait_for_text("#news", "kp = 750: done").await?;
+        assert_eq!(page.value("#tune-kp").await?, "0.75");
+        Ok(())
+    })
+    .await
+}
+
+#[tokio::test]
+async fn the_monitor_shows_sifts_sends_and_pauses() -> Result<()> {
+    lab(Setup::default().at("connect"), async |page| {
+        let downloads = page.allow_downloads().await?;
+        demo(page).await?;
+        page.wait_for_text(".log", "ready 1 lab-1 demo").await?;
+        page.click("Sent").await?;
+        page.wait_until("document.querySelectorAll('.log li.in').length === 0").await?;
+        page.fill("#filter", "get kp").await?;
+        page.wait_until("document.querySelectorAll('.log li[data-line]').length === 1").await?;
+        page.fill("#filter", "").await?;
+        page.click("All").await?;
+        page.fill("#line", "get speed").await?;
+        page.click("Send line").await?;
+        page.wait_for_text(".log", "get speed").await?;
+        page.click("Pause the monitor").await?;
+        let before = page.text(".log").await?;
+        page.wait_until("!document.querySelector('#plot-waiting')").await?;
+        assert_eq!(page.text(".log").await?, before);
+        page.click("Download the log").await?;
+        let log = downloads.file("robot-log.txt").await?;
+        assert!(log.contains(" < ready 1 lab-1 demo"), "{log}");
+        assert!(log.contains(" > get speed"), "{log}");
+        Ok(())
+    })
+    .await
+}
+
+#[tokio::test]
+async fn leaving_while_it_drives_asks_first() -> Result<()> {
+    lab(Setup::default().at("connect"), async |page| {
+        demo(page).await?;
+        let asks = "(() => { const event = new Event('beforeunload', { cancelable: true }); dispatchEvent(event); return event.defaultPrevented; })()";
+        assert_eq!(page.eval(asks).await?, json!(false));
+        explore(page).await?;
+        assert_eq!(page.eval(asks).await?, json!(true));
+        page.click("Stop").await?;
+        page.wait_for_text(".note.guest", "stopped by hand").await?;
+        assert_eq!(page.eval(asks).await?, json!(false));
+        Ok(())
+    })
+    .await
+}
+
+#[tokio::test]
+async fn without_web_serial_the_panel_says_so_and_the_demo_robot_works() -> Result<()> {
+    let without = "delete Navigator.prototype.serial;";
+    lab(Setup::default().at("connect").script(without), async |page| {
+        state(page, "not available").await?;
+        page.wait_for_text("#cure", "Chrome, Edge or Firefox").await?;
+        page.wait_for_no("#connect").await?;
+        demo(page).await
+    })
+    .await
+}
