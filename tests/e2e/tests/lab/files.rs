@@ -1,6 +1,6 @@
 //! Files in and out of the Draw room: save, open, import and export.
 
-use anyhow::{Context, Result};
+use anyhow::Result;
 use e2e::{Button, Page, Setup, root};
 use line_maze_lab::maze::micromouse::Form;
 use line_maze_lab::maze::{Kind, Maze, file, text};
@@ -117,7 +117,7 @@ async fn files_that_cannot_be_read_are_told_with_their_place() -> Result<()> {
         let mut bytes = vec![0_u8; 256];
         bytes[17] = 1;
         let bad: [(&str, &[u8], &str); 4] = [
-            ("odd.txt", b"o---o\n|S  |\no-x-o\n", "line 3"),
+            ("odd.txt", b"o---o\n| S |\no-x-o\n", "line 3"),
             ("odd.num", b"0 0 1 1 1 1\n1 0 1 0 1 2\n", "line 2"),
             ("odd.map", b"+---+\n|   \n+---+\n", "line 2"),
             ("odd.maz", &bytes, "byte"),
@@ -173,7 +173,7 @@ async fn a_file_is_chosen_by_every_name() -> Result<()> {
         for name in [".maze", ".json", ".txt", ".map", ".num", ".maz"] {
             assert!(accepted.split(',').any(|accepted| accepted == name), "{accepted}");
         }
-        page.choose_file("input[type=file]", &root().join("mazes/cornell-6x4.maze")).await?;
+        page.choose_file("input[type=file]", &root().join("mazes/cornell-6x4.maze").canonicalize()?).await?;
         page.wait_for("#drawing svg.walls").await
     })
     .await
