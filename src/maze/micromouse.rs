@@ -57,7 +57,7 @@ impl Form {
 ///
 /// ```
 /// use line_maze_lab::maze::micromouse;
-/// let maze = micromouse::read(b"o---o---o\n|S    G |\no---o---o\n").unwrap()?;
+/// let maze = micromouse::read(b"o---o---o\n| S   G |\no---o---o\n").unwrap()?;
 /// assert_eq!((maze.cells(), maze.finish().len()), (1, 1));
 /// # Ok::<(), micromouse::MicromouseError>(())
 /// ```
