@@ -82,6 +82,20 @@ fn cells_in_a_row_are_one_stroke() {
 }
 
 #[wasm_bindgen_test]
+fn walls_stand_half_a_cell_outside_and_tiles_share_them() {
+    let maze = text::parse("line-maze: 1\nkind: wall\n\n+---+   +\n|   |   |\n+---+   +\n").unwrap();
+    let (bounds, has) = (maze.bounds(), |at, heading| maze.has_line(at, heading));
+    let (sw, ne) = (bounds.sw(), bounds.ne());
+    let whole = paths::walls(bounds, (sw, ne), has);
+    // Below, above, left, between, right, and the post in the middle of the four squares.
+    assert_eq!(whole, "M-40 40H200M-40 -120H200M-40 40V-120M120 40V-120M200 40V-120M40 -40h0");
+    let (left, right) = (Point::new(1, 1), Point::new(2, 0));
+    let parts = paths::walls(bounds, (sw, left), has) + &paths::walls(bounds, (right, ne), has);
+    assert_eq!(parts.matches('M').count(), whole.matches('M').count() + 2, "{parts}");
+    assert_eq!(paths::squares((sw, ne), |at| at.x < 2), "M-40 -40H120v80H-40zM-40 -120H120v80H-40z");
+}
+
+#[wasm_bindgen_test]
 fn tiles_cover_the_lattice_once() {
     let bounds = Bounds::new(Point::new(-7, 3), Point::new(45, 30)).unwrap();
     let covered: i32 = paths::tiles(bounds).iter().map(|(a, b)| (b.x - a.x + 1) * (b.y - a.y + 1)).sum();

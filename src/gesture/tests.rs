@@ -1,6 +1,6 @@
 use super::*;
 use crate::maze::edit::History;
-use crate::maze::text;
+use crate::maze::{Maze, text};
 
 const HANDLE: Handle = Handle { arm: 0.5, reach: 0.25 };
 

@@ -8,6 +8,7 @@ use wasm_bindgen::JsCast;
 use wasm_bindgen::prelude::*;
 
 use super::paths::UNIT;
+use super::state::lab;
 use super::viewport::{Size, Viewport};
 use crate::geometry::{Heading, Point};
 use crate::maze::{Bounds, Kind};
@@ -175,20 +176,19 @@ pub fn finish_mark(at: Point, kind: Kind, label: bool, pixel: f64) -> impl IntoV
     let beside = (f64::from(x) + 24.0 + 6.0 * pixel, f64::from(y));
     view! {
         <rect class="finish" x=x - 18 y=y - 14 width="36" height="28" rx="3" />
-        {label.then(|| end_label(at, kind, beside, pixel, "finish"))}
+        {label.then(|| finish_label(at, kind, beside, pixel))}
     }
 }
 
-/// The name of a start or finish: beside its mark, or, where walls are all round, below it in its square; there
-/// it needs room.
-pub fn end_label(at: Point, kind: Kind, beside: (f64, f64), pixel: f64, text: &'static str) -> AnyView {
+/// The finish's name: beside its mark, or, where walls are all round, below it in its square; there it needs room.
+fn finish_label(at: Point, kind: Kind, beside: (f64, f64), pixel: f64) -> AnyView {
     const ROOMY: f64 = 1.5;
     let (x, y) = match kind {
         Kind::Line => beside,
         Kind::Wall if pixel > ROOMY => return ().into_any(),
-        Kind::Wall => (f64::from(at.x * UNIT) - 18.0 * pixel.max(0.35), f64::from(-at.y * UNIT) + 27.0),
+        Kind::Wall => (f64::from(at.x * UNIT) - 19.0 * pixel.max(0.35), f64::from(-at.y * UNIT) + 26.0),
     };
-    view! { <Label x=x y=y pixel=pixel text=text /> }.into_any()
+    view! { <Label x=x y=y pixel=pixel text="finish" /> }.into_any()
 }
 
 /// A word beside a place; its size stays the same when the picture is zoomed.
@@ -218,9 +218,12 @@ pub fn bot_shape() -> impl IntoView {
 /// The bot in the picture; never smaller than can be seen.
 #[component]
 pub fn Bot(#[prop(into)] pose: Signal<Pose>, #[prop(into)] pixel: Signal<f64>) -> impl IntoView {
+    let lab = lab();
+    // Between walls its nose stays in its square.
+    let least = Memo::new(move |_| lab.maze.with(|maze| if maze.kind == Kind::Wall { 1.0 } else { 1.25 }));
     let transform = move || {
         let (pose, unit) = (pose.get(), f64::from(UNIT));
-        let scale = (0.62 * pixel.get()).max(1.25);
+        let scale = (0.62 * pixel.get()).max(least.get());
         let [x, y, degrees] = [pose.x * unit, -pose.y * unit, pose.degrees].map(|of| Decimal(of, 2));
         format!("translate({x} {y}) rotate({degrees}) scale({})", Decimal(scale, 3))
     };

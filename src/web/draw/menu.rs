@@ -58,6 +58,14 @@ pub fn FileMenu() -> impl IntoView {
             </button>
         }
     };
+    let mouse_item = move |form: Form| {
+        let name = format!("Export micromouse .{}", form.extension());
+        view! {
+            <button class="short" role="menuitem" tabindex="-1" aria-label=name on:click=mouse(move |_| { close(); files::export_mouse(lab, form); })>
+                "." {form.extension()}
+            </button>
+        }
+    };
     view! {
         <div class="menu" node_ref=root>
             <button
@@ -79,10 +87,8 @@ pub fn FileMenu() -> impl IntoView {
                     {item("Save .maze", "Ctrl S", save)}
                     {item("Save .json", "", files::save_json)}
                     <hr role="separator" />
-                    {item("Export micromouse .txt", "", |lab| files::export_mouse(lab, Form::Online))}
-                    {item("Export micromouse .map", "", |lab| files::export_mouse(lab, Form::Map))}
-                    {item("Export micromouse .num", "", |lab| files::export_mouse(lab, Form::Num))}
-                    {item("Export micromouse .maz", "", |lab| files::export_mouse(lab, Form::Binary))}
+                    <span class="menu-head" role="none" aria-hidden="true">"Export for a micromouse"</span>
+                    {Form::ALL.map(mouse_item).into_iter().collect_view()}
                     <hr role="separator" />
                     {item("Export picture, SVG", "", files::export_svg)}
                     {item("Export picture, PNG", "", files::export_png)}

@@ -8,7 +8,7 @@ use crate::geometry::{Heading, Point};
 use crate::gesture::Doing;
 use crate::maze::checks::Finding;
 use crate::maze::{Bounds, Kind, Start};
-use crate::web::maze_view::{Label, end_label, finish_mark};
+use crate::web::maze_view::{Label, finish_mark};
 use crate::web::paths::{self, UNIT};
 
 /// Picture units from the start to its handle.
@@ -171,13 +171,15 @@ fn StartMarker() -> impl IntoView {
             )
         };
         let (x, y) = (f64::from(at.x * UNIT), f64::from(-at.y * UNIT));
+        // Between walls there is no room for a name.
         let label = move || {
-            let (pixel, kind) = (desk.camera.pixel(), desk.kind());
-            let scale = marker_scale(kind, pixel);
+            let pixel = desk.camera.pixel();
+            let scale = marker_scale(Kind::Line, pixel);
             // Beside the ring; not on the line that goes there.
             let below = if heading == Heading::East { 40.0 * scale } else { 18.0 * scale };
             let beside = (if heading == Heading::East { 30.0 } else { 42.0 }) * scale + 4.0 * pixel;
-            end_label(at, kind, (x + beside, y + below), pixel, "start")
+            (desk.kind() == Kind::Line)
+                .then(|| view! { <Label x=x + beside y=y + below pixel=pixel text="start" /> })
         };
         view! {
             <g class="start" transform=place>

@@ -9,7 +9,7 @@ use crate::geometry::{Heading, Point, Ways};
 use crate::ink::CellState;
 use crate::maze::{Kind, Maze};
 use crate::scene::{self, NodeMark, Pose, Trail};
-use crate::web::maze_view::{Bot, Camera, Compass, ZoomButtons, end_label, finish_mark, size_of};
+use crate::web::maze_view::{Bot, Camera, Compass, Label, ZoomButtons, finish_mark, size_of};
 use crate::web::paths::{self, UNIT};
 use crate::web::played::Played;
 use crate::web::run_view::Run;
@@ -292,9 +292,10 @@ pub fn Ends(
         let pixel = camera.pixel();
         lab.stage.with(|maze: &super::super::run_view::Same<Maze>| {
             let finish: Vec<Point> = maze.finish().iter().copied().filter(|&at| known(at)).collect();
-            let start = maze.start().map(|start| {
+            // Between walls there is no room for a name.
+            let start = maze.start().filter(|_| maze.kind == Kind::Line).map(|start| {
                 let (x, y) = (f64::from(start.at.x * UNIT), f64::from(-start.at.y * UNIT));
-                end_label(start.at, maze.kind, (x + 32.0 + 4.0 * pixel, y + 6.0), pixel, "start")
+                view! { <Label x=x + 32.0 + 4.0 * pixel y=y + 6.0 pixel=pixel text="start" /> }
             });
             view! {
                 {finish.into_iter().enumerate().map(|(i, at)| finish_mark(at, maze.kind, i == 0, pixel)).collect_view()}

@@ -113,8 +113,8 @@ async fn a_maze_is_resized_by_mouse_and_by_keyboard() -> Result<()> {
         from_menu(page, "Resize…").await?;
         page.wait_for("dialog[open] #resize-width").await?;
         page.fill("#resize-width", "6").await?;
-        page.wait_for_text("dialog [role=status]", "8 × 6 points become 6 × 6").await?;
-        page.wait_for_text("dialog [role=status]", "cuts off").await?;
+        page.wait_for_text("dialog form > p[role=status]", "8 × 6 points become 6 × 6").await?;
+        page.wait_for_text("dialog form > p[role=status]", "cuts off").await?;
         page.screenshot("resize").await?;
         page.click("Resize").await?;
         page.wait_for_no("dialog").await?;
@@ -214,7 +214,7 @@ async fn a_maze_is_pasted_by_hand() -> Result<()> {
         page.press("Enter").await?;
         page.wait_for("dialog[open] #paste").await?;
         tab_to(page, "#paste").await?;
-        page.fill("#paste", "o---o---o\n|S    G |\no---o---o\n").await?;
+        page.fill("#paste", "o---o---o\n| S   G |\no---o---o\n").await?;
         tab_to(page, "dialog button[type=submit]").await?;
         page.press("Enter").await?;
         page.wait_for_no("dialog").await?;

@@ -101,7 +101,7 @@ async fn tour(page: &Page, name: &str, look: &mut impl AsyncFnMut(&str) -> Resul
     page.click("Generate").await?;
     page.wait_for("#gen-width").await?;
     look("the generator").await?;
-    page.press("Escape").await?;
+    page.click("Close the generator").await?;
     page.wait_for_no(".generator").await?;
     from_menu(page, "New…").await?;
     page.wait_for("dialog[open] #new-width").await?;
