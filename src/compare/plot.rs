@@ -62,10 +62,15 @@ pub fn histogram(bars: &[Bar], marked: Marked) -> String {
             top - 5.0,
             bar.count
         );
-        let label = if bar.from == bar.to { format!("{}", bar.from) } else { format!("{}–{}", bar.from, bar.to) };
+        let label =
+            if bar.from == bar.to { format!("{}", bar.from) } else { format!("{}–{}", bar.from, bar.to) };
         // Wide labels stand under every other bar.
         if label.len() < 5 || slot > 48.0 || nth % 2 == 0 {
-            let _ = write!(svg, "<text class=\"x\" x=\"{middle:.1}\" y=\"{:.1}\">{label}</text>", floor + LINE - 3.0);
+            let _ = write!(
+                svg,
+                "<text class=\"x\" x=\"{middle:.1}\" y=\"{:.1}\">{label}</text>",
+                floor + LINE - 3.0
+            );
         }
     }
     let _ = write!(svg, "<path class=\"axis\" d=\"M0 {floor}H{WIDTH}\"/></svg>");
@@ -99,7 +104,8 @@ pub fn histogram_words(bars: &[Bar]) -> String {
 #[must_use]
 pub fn draws_words(draws: &Draws, shortest: Option<u32>) -> String {
     let (solved, failed) = draws.counts();
-    let (Some(median), Some(worst)) = (draws.median_cells(), draws.worst().and_then(|draw| draw.route_cells)) else {
+    let (Some(median), Some(worst)) = (draws.median_cells(), draws.worst().and_then(|draw| draw.route_cells))
+    else {
         return String::from("No order leads to the finish.");
     };
     let mut words = format!("Half are {median} cells or shorter.");
@@ -165,7 +171,12 @@ pub fn boxes(standings: &[Standing], column: Column) -> String {
     }
     let foot = count * ROW + LINE - 4.0;
     for (at, class) in [(least, "from"), (f64::midpoint(least, most), "x"), (most, "to")] {
-        let _ = write!(svg, "<text class=\"{class}\" x=\"{:.1}\" y=\"{foot:.1}\">{}</text>", x(at), number(at, column));
+        let _ = write!(
+            svg,
+            "<text class=\"{class}\" x=\"{:.1}\" y=\"{foot:.1}\">{}</text>",
+            x(at),
+            number(at, column)
+        );
     }
     svg + "</svg>"
 }
@@ -176,7 +187,9 @@ pub fn number(value: f64, column: Column) -> String {
     match column {
         Column::RatioShortest | Column::RatioFastest => format!("{value:.2}"),
         Column::Seconds | Column::RouteSeconds => format!("{value:.1}"),
-        Column::Distance | Column::Stops | Column::Turns | Column::Memory | Column::Route => format!("{value:.0}"),
+        Column::Distance | Column::Stops | Column::Turns | Column::Memory | Column::Route => {
+            format!("{value:.0}")
+        }
     }
 }
 

@@ -87,8 +87,16 @@ fn measure(task: Task) -> Line {
     match task {
         Task::Shortest => {
             let maze = maze(KNOWN_SIDE);
-            let seconds = median(|| maze.start().map_or(0, |start| best::shortest(&maze, start, &Pace::default()).map_or(0, |best| best.cells)));
-            (format!("Shortest path, {KNOWN_SIDE} × {KNOWN_SIDE}, 10 % loops"), format!("{:.1} ms", seconds * 1e3), "20 ms".into())
+            let seconds = median(|| {
+                maze.start().map_or(0, |start| {
+                    best::shortest(&maze, start, &Pace::default()).map_or(0, |best| best.cells)
+                })
+            });
+            (
+                format!("Shortest path, {KNOWN_SIDE} × {KNOWN_SIDE}, 10 % loops"),
+                format!("{:.1} ms", seconds * 1e3),
+                "20 ms".into(),
+            )
         }
         Task::Explorer(name) => {
             let side = if name == Name::FloodFill { FLOOD_SIDE } else { SIDE };
@@ -99,13 +107,24 @@ fn measure(task: Task) -> Line {
                 stops
             });
             let each = seconds * 1e9 / f64::from(stops.max(1));
-            (format!("{name}, {side} × {side}, {stops} stops"), format!("{each:.0} ns a stop"), "150 ns native".into())
+            (
+                format!("{name}, {side} × {side}, {stops} stops"),
+                format!("{each:.0} ns a stop"),
+                "150 ns native".into(),
+            )
         }
     }
 }
 
 fn maze(side: u32) -> Maze {
-    let recipe = Recipe { width: side, height: side, loops_percent: 10, dead_ends_cut_percent: 0, seed: 1924, ..Recipe::default() };
+    let recipe = Recipe {
+        width: side,
+        height: side,
+        loops_percent: 10,
+        dead_ends_cut_percent: 0,
+        seed: 1924,
+        ..Recipe::default()
+    };
     generate(&recipe).unwrap_or_else(|_| crate::maze::samples::figure_3_1())
 }
 

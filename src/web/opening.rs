@@ -23,7 +23,9 @@ pub fn listen(lab: Lab) {
         match file.filter(|_| !super::compare::holds_folder(&transfer)) {
             Some(file) => open_file(lab, &file),
             // Many files, or a folder of them: a league.
-            None if files.is_some_and(|files| files.length() > 0) => super::compare::drop_into_league(lab, &transfer),
+            None if files.is_some_and(|files| files.length() > 0) => {
+                super::compare::drop_into_league(lab, &transfer)
+            }
             None => {}
         }
     });

@@ -203,7 +203,9 @@ impl Desk {
     /// The results so far.
     #[must_use]
     pub fn shown(&self) -> Tell {
-        Tell::Shown(self.league.as_ref().map(|league| self.view.of(league, &self.results)).unwrap_or_default())
+        Tell::Shown(
+            self.league.as_ref().map(|league| self.view.of(league, &self.results)).unwrap_or_default(),
+        )
     }
 
     fn begin(&mut self, plan: Plan) -> Vec<Tell> {

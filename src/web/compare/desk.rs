@@ -296,7 +296,10 @@ impl Desk {
         let (by, now) = (self.by.get_untracked(), self.now.get_untracked());
         let to = self.field.with_untracked(|field| {
             let times = || field.forks.iter().map(|fork| field.fork_time(fork, by));
-            times().filter(|&time| time > now).min_by(f64::total_cmp).or_else(|| times().min_by(f64::total_cmp))
+            times()
+                .filter(|&time| time > now)
+                .min_by(f64::total_cmp)
+                .or_else(|| times().min_by(f64::total_cmp))
         });
         if let Some(to) = to {
             self.seek(to);

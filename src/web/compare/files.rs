@@ -93,7 +93,9 @@ async fn in_folder(folder: JsValue, files: &mut Vec<File>) {
         let reader = folder.unchecked_into::<FileSystemDirectoryEntry>().create_reader();
         // It tells about a hundred at a time, and none at the end.
         loop {
-            let batch = promised(|done, failed| reader.read_entries_with_callback_and_callback(done, failed).is_ok()).await;
+            let batch =
+                promised(|done, failed| reader.read_entries_with_callback_and_callback(done, failed).is_ok())
+                    .await;
             let Ok(batch) = batch.and_then(|batch| batch.dyn_into::<js_sys::Array>()) else { break };
             if batch.length() == 0 {
                 break;

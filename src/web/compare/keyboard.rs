@@ -10,7 +10,12 @@ pub fn listen(desk: Desk) {
     let handle = window_event_listener(leptos::ev::keydown, move |event| {
         let held = event.ctrl_key() || event.meta_key() || event.alt_key();
         let elsewhere = desk.lab.dialog.with_untracked(Option::is_some) || desk.lab.projector.get_untracked();
-        if held || elsewhere || event.default_prevented() || is_typing(event.target()) || is_used_there(&event) {
+        if held
+            || elsewhere
+            || event.default_prevented()
+            || is_typing(event.target())
+            || is_used_there(&event)
+        {
             return;
         }
         if desk.page.get_untracked() == Page::Maze && press(desk, &event.key()) {

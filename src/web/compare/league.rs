@@ -84,7 +84,11 @@ impl LeagueDesk {
             return self.lab.say(ToastTone::Error, "No such mazes", why.to_string());
         }
         if self.chosen.with_untracked(Vec::is_empty) || untrack(|| self.courses()) == 0 {
-            return self.lab.say(ToastTone::Error, "An empty league", "Choose an explorer and some mazes first.");
+            return self.lab.say(
+                ToastTone::Error,
+                "An empty league",
+                "Choose an explorer and some mazes first.",
+            );
         }
         self.refused.set(Vec::new());
         self.shown.set(None);

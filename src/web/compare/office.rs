@@ -49,7 +49,8 @@ fn post(worker: &Worker, ask: &Ask) {
 
 /// A worker that loads the script that this page has loaded.
 fn open_worker(league: LeagueDesk) -> Result<Office, JsValue> {
-    let link = document().query_selector("link[rel=modulepreload][href*=line-maze-lab]")?.ok_or(JsValue::NULL)?;
+    let link =
+        document().query_selector("link[rel=modulepreload][href*=line-maze-lab]")?.ok_or(JsValue::NULL)?;
     let script = link.get_attribute("href").ok_or(JsValue::NULL)?;
     let script = web_sys::Url::new_with_base(&script, &browser::address())?.href();
     let wasm = script.replace(".js", "_bg.wasm");
@@ -57,7 +58,9 @@ fn open_worker(league: LeagueDesk) -> Result<Office, JsValue> {
     options.set_type(WorkerType::Module);
     let worker = Worker::new_with_options("worker.js", &options)?;
     let heard = Closure::<dyn FnMut(MessageEvent)>::new(move |event: MessageEvent| {
-        let Some(tell) = event.data().as_string().and_then(|json| serde_json::from_str(&json).ok()) else { return };
+        let Some(tell) = event.data().as_string().and_then(|json| serde_json::from_str(&json).ok()) else {
+            return;
+        };
         if tell == Tell::Ready { flush(league) } else { league.hear(tell) }
     });
     worker.set_onmessage(Some(heard.as_ref().unchecked_ref()));

@@ -69,14 +69,24 @@ fn Picture(nth: usize, name: Name) -> impl IntoView {
         })
     });
     let stop = Memo::new(move |_| position.get().map_or(0, |position| position.stop));
-    let missing = move || desk.field.with(|field| field.entrants.get(nth).and_then(|(_, racer)| racer.as_ref().err().cloned()));
+    let missing = move || {
+        desk.field.with(|field| field.entrants.get(nth).and_then(|(_, racer)| racer.as_ref().err().cloned()))
+    };
     let told = Memo::new(move |_| {
         let stop = stop.get();
-        desk.field.with(|field| field.racer(nth).map_or_else(String::new, |racer| words::said(&racer.entrant.run, stop)))
+        desk.field.with(|field| {
+            field.racer(nth).map_or_else(String::new, |racer| words::said(&racer.entrant.run, stop))
+        })
     });
     let label = move || {
         let driven = position.get().map_or(0.0, |at| at.along);
-        format!("{}, {}: stop {}{}", letter(nth), called(desk, name), stop.get(), if driven > 0.0 { ", driving on" } else { "" })
+        format!(
+            "{}, {}: stop {}{}",
+            letter(nth),
+            called(desk, name),
+            stop.get(),
+            if driven > 0.0 { ", driving on" } else { "" }
+        )
     };
     view! {
         <article class="card run" data-nth=nth data-stop=sig(move || stop.get())>
@@ -115,7 +125,9 @@ fn view_box(desk: Desk) -> String {
 
 /// Picture units a pixel, about.
 fn pixel(desk: Desk) -> f64 {
-    desk.lab.maze.with(|maze| f64::from(maze.bounds().width().max(maze.bounds().height())) * f64::from(UNIT) / PIXELS)
+    desk.lab
+        .maze
+        .with(|maze| f64::from(maze.bounds().width().max(maze.bounds().height())) * f64::from(UNIT) / PIXELS)
 }
 
 fn tape(desk: Desk) -> String {
@@ -129,7 +141,9 @@ fn trail(desk: Desk, nth: usize, stop: u32, wanted: Shown) -> String {
     desk.field.with(|field| {
         let Some(racer) = field.racer(nth) else { return String::new() };
         let bounds = field.maze.bounds();
-        paths::cells((bounds.sw(), bounds.ne()), |at, heading| racer.floor.cell((at, heading), stop) == wanted)
+        paths::cells((bounds.sw(), bounds.ne()), |at, heading| {
+            racer.floor.cell((at, heading), stop) == wanted
+        })
     })
 }
 
@@ -139,7 +153,13 @@ fn driving(desk: Desk, nth: usize, position: Option<Position>) -> String {
     let from = desk.field.with(|field| field.racer(nth)?.floor.place(position.stop));
     let unit = f64::from(UNIT);
     from.map_or_else(String::new, |from| {
-        format!("M{} {}L{:.1} {:.1}", from.x * UNIT, -from.y * UNIT, position.pose.x * unit, -position.pose.y * unit)
+        format!(
+            "M{} {}L{:.1} {:.1}",
+            from.x * UNIT,
+            -from.y * UNIT,
+            position.pose.x * unit,
+            -position.pose.y * unit
+        )
     })
 }
 

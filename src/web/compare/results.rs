@@ -37,7 +37,9 @@ pub fn Results() -> impl IntoView {
         let nth = nth.and_then(|element| element.get_attribute("data-open")?.parse::<usize>().ok());
         let Some(nth) = nth else { return };
         let clock = untrack(|| desk.clock());
-        let found = desk.field.with_untracked(|field| Some((field.entrants.get(nth)?.0, field.position(nth, clock)?.stop)));
+        let found = desk
+            .field
+            .with_untracked(|field| Some((field.entrants.get(nth)?.0, field.position(nth, clock)?.stop)));
         if let Some((name, stop)) = found {
             open_in_stepper(desk.lab, name, stop);
         }
@@ -95,7 +97,10 @@ fn bests(field: &Field) -> String {
     };
     let one = format!("Shortest route: {} cells, {:.1} s.", shortest.cells, shortest.seconds);
     if shortest.seconds > fastest.seconds + 1e-9 {
-        format!("{one} Fastest: {} cells, {:.1} s: longer, but with fewer turns.", fastest.cells, fastest.seconds)
+        format!(
+            "{one} Fastest: {} cells, {:.1} s: longer, but with fewer turns.",
+            fastest.cells, fastest.seconds
+        )
     } else {
         format!("{one} No other is faster.")
     }
@@ -124,7 +129,11 @@ fn rows(desk: Desk, field: &Field) -> String {
         let _ = write!(
             markup,
             "<tr{}><th scope=\"row\"><button class=\"open\" data-open=\"{nth}\" title=\"Open this run in Step\"><span class=\"who {}\">{letter}</span>{title}</button></th>",
-            if racer.as_ref().is_ok_and(|racer| racer.entrant.score.is_solved()) { "" } else { " class=\"failed\"" },
+            if racer.as_ref().is_ok_and(|racer| racer.entrant.score.is_solved()) {
+                ""
+            } else {
+                " class=\"failed\""
+            },
             letter.to_ascii_lowercase()
         );
         match racer {
@@ -141,7 +150,12 @@ fn rows(desk: Desk, field: &Field) -> String {
 fn push_numbers(markup: &mut String, score: &Score) {
     let reason = score.reason().unwrap_or_default();
     let class = End::of(score.outcome).class();
-    let _ = write!(markup, "<td class=\"c-e\" title=\"{}\"><span class=\"end {class}\">{}</span></td>", escaped(&reason), ended(score.outcome));
+    let _ = write!(
+        markup,
+        "<td class=\"c-e\" title=\"{}\"><span class=\"end {class}\">{}</span></td>",
+        escaped(&reason),
+        ended(score.outcome)
+    );
     for (column, _, class) in COLUMNS {
         let digits = match column {
             Column::RatioShortest | Column::RatioFastest => 2,
@@ -157,7 +171,9 @@ fn push_numbers(markup: &mut String, score: &Score) {
 }
 
 fn save(desk: Desk) {
-    let mut text = String::from("explorer,outcome,reason,explored_cells,stops,turns,seconds,bytes,route_cells,ratio_shortest,ratio_fastest\n");
+    let mut text = String::from(
+        "explorer,outcome,reason,explored_cells,stops,turns,seconds,bytes,route_cells,ratio_shortest,ratio_fastest\n",
+    );
     desk.field.with_untracked(|field| {
         for (name, racer) in &field.entrants {
             let Ok(racer) = racer else { continue };
@@ -165,7 +181,11 @@ fn save(desk: Desk) {
             let reason = score.reason().unwrap_or_default().replace('"', "\"\"");
             let _ = write!(text, "{name},{},\"{reason}\"", score.outcome.name());
             for (column, _, _) in COLUMNS {
-                let _ = write!(text, ",{}", score.number(column).map(|number| number.to_string()).unwrap_or_default());
+                let _ = write!(
+                    text,
+                    ",{}",
+                    score.number(column).map(|number| number.to_string()).unwrap_or_default()
+                );
             }
             text.push('\n');
         }

@@ -55,7 +55,8 @@ fn Lanes() -> impl IntoView {
     let desk = desk();
     let element = NodeRef::<html::Div>::new();
     let held = RwSignal::new(false);
-    let share = move |value: f64| if desk.most() > 0.0 { (value / desk.most()).clamp(0.0, 1.0) * 100.0 } else { 0.0 };
+    let share =
+        move |value: f64| if desk.most() > 0.0 { (value / desk.most()).clamp(0.0, 1.0) * 100.0 } else { 0.0 };
     let seek = move |event: &web_sys::PointerEvent| {
         let Some(lanes) = element.get_untracked() else { return };
         let Ok(Some(track)) = lanes.query_selector(".over") else { return };
@@ -85,10 +86,14 @@ fn Lanes() -> impl IntoView {
     let forks = move || {
         desk.field.with(|field| {
             let by = desk.by.get();
-            field.forks.iter().map(|fork| {
-                let at = format!("{:.2}%", share(field.fork_time(fork, by)));
-                view! { <i class="part" style:left=at></i> }
-            }).collect_view()
+            field
+                .forks
+                .iter()
+                .map(|fork| {
+                    let at = format!("{:.2}%", share(field.fork_time(fork, by)));
+                    view! { <i class="part" style:left=at></i> }
+                })
+                .collect_view()
         })
     };
     let keys = move |event: web_sys::KeyboardEvent| {

@@ -66,14 +66,25 @@ impl View {
         let mut table = String::new();
         for standing in &all {
             // Writing to a string cannot fail.
-            let _ = write!(table, "<tr><th scope=\"row\">{}</th><td class=\"num\">{}</td>", escaped(standing.name.about().title), standing.runs);
-            let share = standing.share_solved().map_or("–".to_string(), |share| alloc::format!("{:.0} %", share * 100.0));
+            let _ = write!(
+                table,
+                "<tr><th scope=\"row\">{}</th><td class=\"num\">{}</td>",
+                escaped(standing.name.about().title),
+                standing.runs
+            );
+            let share = standing
+                .share_solved()
+                .map_or("–".to_string(), |share| alloc::format!("{:.0} %", share * 100.0));
             let _ = write!(table, "<td class=\"num\">{share}</td>");
             for column in [Column::RatioShortest, Column::RatioFastest, Column::Distance, Column::Memory] {
                 let _ = match standing.quartiles(column) {
                     Some(q) => {
-                        let [lower, median, upper] = [q.lower, q.median, q.upper].map(|value| number(value, column));
-                        write!(table, "<td class=\"num\"><b>{median}</b> <span class=\"small\">{lower}–{upper}</span></td>")
+                        let [lower, median, upper] =
+                            [q.lower, q.median, q.upper].map(|value| number(value, column));
+                        write!(
+                            table,
+                            "<td class=\"num\"><b>{median}</b> <span class=\"small\">{lower}–{upper}</span></td>"
+                        )
                     }
                     None => write!(table, "<td class=\"num\">–</td>"),
                 };
@@ -110,7 +121,12 @@ fn push_run(rows: &mut String, league: &League, course: usize, entry: &Entry) {
         Ok(score) => {
             let reason = score.reason().unwrap_or_default();
             let class = End::of(score.outcome).class();
-            let _ = write!(rows, "<td title=\"{}\"><span class=\"end {class}\">{}</span></td>", escaped(&reason), ended(score.outcome));
+            let _ = write!(
+                rows,
+                "<td title=\"{}\"><span class=\"end {class}\">{}</span></td>",
+                escaped(&reason),
+                ended(score.outcome)
+            );
             for column in View::COLUMNS {
                 let digits = match column {
                     Column::RatioShortest | Column::RatioFastest => 2,

@@ -19,7 +19,9 @@ pub fn Runs(shown: Shown) -> impl IntoView {
     let league = desk().league;
     let open = move |event: web_sys::MouseEvent| {
         let element = event.target().and_then(|target| target.dyn_into::<web_sys::Element>().ok());
-        let Some(row) = element.and_then(|element| element.closest("[data-course]").ok().flatten()) else { return };
+        let Some(row) = element.and_then(|element| element.closest("[data-course]").ok().flatten()) else {
+            return;
+        };
         let course = row.get_attribute("data-course").and_then(|nth| nth.parse().ok());
         if let (Some(course), Some(explorer)) = (course, row.get_attribute("data-explorer")) {
             office::ask(league, Ask::Open { course, explorer });
