@@ -9,6 +9,7 @@ use super::lazy::{self, lazy};
 use super::state::{Dialog, ToastAction, ToastTone, lab};
 
 mod books;
+mod pace;
 pub mod settings;
 mod share;
 

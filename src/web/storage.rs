@@ -1,8 +1,8 @@
 //! What the browser keeps for the user: the maze, the settings, the theme. Storage may be full or forbidden;
 //! then the page works on and says so.
 
-use crate::maze::{Maze, text};
-use crate::settings::Settings;
+use crate::maze::{Maze, Scale, text};
+use crate::settings::{Pace, Settings};
 
 const MAZE: &str = "line-maze-lab/maze";
 const SETTINGS: &str = "line-maze-lab/settings";
@@ -48,16 +48,28 @@ pub fn settings() -> Settings {
             Some(("order", order)) => settings.order = order.parse().unwrap_or(settings.order),
             Some(("epsilon", ms)) => settings.epsilon_ms = ms.parse().ok(),
             Some(("node_max", nodes)) => settings.node_max = nodes.parse().unwrap_or(settings.node_max),
+            Some(("pace", pace)) => settings.pace = pace_of(pace).unwrap_or(settings.pace),
             _ => {}
         }
     }
     settings
 }
 
+/// Speed, turn, U-turn and stop, in one line.
+fn pace_of(text: &str) -> Option<Pace> {
+    let mut numbers = text.split(' ').map(str::parse);
+    let mut next = || numbers.next()?.ok();
+    let pace = Pace { speed_mm_s: next()?, turn_s: next()?, uturn_s: next()?, stop_s: next()? };
+    pace.checked(Scale::default()).ok()
+}
+
 /// Keeps the settings, if the browser lets us; they are quickly set again.
 pub fn keep_settings(settings: &Settings) {
     let epsilon = settings.epsilon_ms.map_or(String::new(), |ms| ms.to_string());
-    let text = format!("order={}\nepsilon={epsilon}\nnode_max={}", settings.order, settings.node_max);
+    let Pace { speed_mm_s, turn_s, uturn_s, stop_s } = settings.pace;
+    let pace = format!("{speed_mm_s} {turn_s} {uturn_s} {stop_s}");
+    let text =
+        format!("order={}\nepsilon={epsilon}\nnode_max={}\npace={pace}", settings.order, settings.node_max);
     let _ = set(SETTINGS, &text);
 }
 

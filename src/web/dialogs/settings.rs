@@ -17,6 +17,7 @@ pub fn RunSettings() -> impl IntoView {
             <OrderFields />
             <EpsilonField />
             <NodeMaxField />
+            <super::pace::PaceFields />
             <div class="row">
                 <button class="btn" on:click=mouse(move |_| lab.set(|settings| *settings = Settings { pace: settings.pace, ..Settings::default() }))>
                     "As in the book"
