@@ -170,9 +170,14 @@ impl Desk {
         DESK.with(|desk| {
             *desk.get_or_init(|| {
                 // It belongs to the page, not to the room that asks for it first.
+                let room = Owner::current();
                 let owner = Owner::new_root(None);
                 let desk = owner.with(|| Self::new(lab));
                 std::mem::forget(owner);
+                // A new root makes itself the current owner.
+                if let Some(room) = room {
+                    room.set();
+                }
                 desk
             })
         })

@@ -53,7 +53,7 @@ fn open_worker(league: LeagueDesk) -> Result<Office, JsValue> {
         document().query_selector("link[rel=modulepreload][href*=line-maze-lab]")?.ok_or(JsValue::NULL)?;
     let script = link.get_attribute("href").ok_or(JsValue::NULL)?;
     let script = web_sys::Url::new_with_base(&script, &browser::address())?.href();
-    let wasm = script.replace(".js", "_bg.wasm");
+    let wasm = format!("{}_bg.wasm", script.strip_suffix(".js").ok_or(JsValue::NULL)?);
     let options = WorkerOptions::new();
     options.set_type(WorkerType::Module);
     let worker = Worker::new_with_options("worker.js", &options)?;

@@ -1,5 +1,6 @@
 //! The lab as people use it, in a real browser.
 
+mod compare;
 mod connect;
 mod draw;
 mod draw_help;

@@ -1,0 +1,129 @@
+//! The Compare room: runs abreast, where they part, the table, random orders, and the league.
+
+use anyhow::Result;
+use e2e::{Page, Setup, lab};
+use serde_json::json;
+
+async fn compare_room(hash: &str, body: impl AsyncFnOnce(&Page) -> Result<()>) -> Result<()> {
+    lab(Setup::default().at(hash), async |page| {
+        page.wait_for("main.compare").await?;
+        body(page).await
+    })
+    .await
+}
+
+/// The stops at which the runs stand.
+async fn stops(page: &Page) -> Result<Vec<String>> {
+    let mut stops = Vec::new();
+    for nth in 0..page.count(".run").await? {
+        stops.push(page.attribute(&format!(".run[data-nth='{nth}']"), "data-stop").await?);
+    }
+    Ok(stops)
+}
+
+#[tokio::test]
+async fn three_run_abreast_and_one_is_opened() -> Result<()> {
+    compare_room("compare", async |page| {
+        page.wait_until("document.querySelectorAll('.run').length === 3").await?;
+        assert_eq!(stops(page).await?, ["0", "0", "0"]);
+        assert!(page.text(".parting").await?.contains("First parting"));
+        page.press("ArrowRight").await?;
+        page.wait_for_text("#abreast", "1.0 of").await?;
+        page.press("End").await?;
+        page.wait_until("document.querySelector('.run[data-nth=\"0\"]').dataset.stop === '25'").await?;
+        page.press("Home").await?;
+        page.wait_for_text("#abreast", "0.0 of").await?;
+        page.click("Go there").await?;
+        page.wait_until("!document.querySelector('#abreast').textContent.startsWith('0.0 of')").await?;
+        // Half of the way by the scrubber.
+        let place = page.middle(".lanes").await?;
+        page.click_at(place).await?;
+        page.wait_until("document.querySelector('.run[data-nth=\"0\"]').dataset.stop > 3").await?;
+        let stop = stops(page).await?[0].clone();
+        page.click("Open A in Step, at this moment").await?;
+        page.wait_for_text("#count", &format!("stop {stop} /")).await
+    })
+    .await
+}
+
+#[tokio::test]
+async fn the_table_sorts_and_the_line_up_changes() -> Result<()> {
+    compare_room("compare", async |page| {
+        let first = "document.querySelector('.results tbody .open').innerText";
+        page.click_css(".results thead th:nth-child(1) button").await?;
+        page.wait_until(&format!("{first}.startsWith('A')")).await?;
+        page.click_css(".results thead th:nth-child(1) button").await?;
+        page.wait_until(&format!("{first}.startsWith('C')")).await?;
+        assert_eq!(page.attribute(".results thead th:nth-child(1)", "aria-sort").await?, "descending");
+        page.click("3 explorers…").await?;
+        page.wait_for("dialog[open]").await?;
+        page.click_css("dialog input[value=tremaux]").await?;
+        page.press("Escape").await?;
+        page.wait_until("document.querySelectorAll('.run').length === 4").await?;
+        page.press("n").await?;
+        page.wait_until("!document.querySelector('#abreast').textContent.startsWith('0.0 of')").await
+    })
+    .await
+}
+
+#[tokio::test]
+async fn random_orders_show_their_spread() -> Result<()> {
+    compare_room("compare", async |page| {
+        page.wait_for(".orders .plot .bar.best").await?;
+        assert!(page.text(".orders figcaption").await?.contains("of 1000 random orders find the shortest"));
+        page.click_css(".orders figure .btn").await?;
+        page.wait_for_text("#count", "stop 0 /").await?;
+        assert!(page.attribute(".tools-right .btn", "aria-label").await?.contains("random"));
+        Ok(())
+    })
+    .await
+}
+
+#[tokio::test]
+async fn a_small_league_runs_is_cancelled_sorted_and_saved() -> Result<()> {
+    compare_room("league", async |page| {
+        page.fill("#league-count", "2000").await?;
+        page.click_css("#league-run").await?;
+        page.wait_for("#league-stop").await?;
+        page.wait_for_text("#league-status", "of 2019 mazes").await?;
+        page.wait_until("document.querySelector('#league-status').innerText.match(/^[1-9]/)").await?;
+        page.click_css("#league-stop").await?;
+        page.wait_for_text("#league-status", "Cancelled after").await?;
+        page.wait_for(".standings tbody tr").await?;
+        page.fill("#league-count", "3").await?;
+        page.click_css("#league-run").await?;
+        page.wait_for_text("#league-status", "All 22 mazes are run").await?;
+        page.wait_for_text("#runs-title", "110 runs").await?;
+        page.click_css(".runs thead th:nth-child(7) button").await?;
+        page.wait_until("document.querySelector('.runs tbody td:nth-child(7)').innerText === '1.00'").await?;
+        let downloads = page.allow_downloads().await?;
+        page.click("Save all runs as CSV").await?;
+        assert_eq!(downloads.file("league.csv").await?.lines().count(), 111);
+        page.choose("#runs-of", "The book’s explorer").await?;
+        page.wait_for_text("#runs-title", "22 runs").await?;
+        page.click_css(".runs tbody .open").await?;
+        page.wait_for_text("#count", "stop 0 /").await
+    })
+    .await
+}
+
+#[tokio::test]
+async fn dropped_files_are_a_league_and_bad_ones_are_told() -> Result<()> {
+    compare_room("compare", async |page| {
+        let good = "line-maze: 1\ntitle: My own\n\n+---+---F\n|        \n^   .   .\n";
+        let drop = "(good) => {
+            const dataTransfer = new DataTransfer();
+            for (const [name, text] of [['a.maze', good], ['b.maze', good], ['bad.maze', 'no maze']])
+                dataTransfer.items.add(new File([text], name));
+            const event = new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true });
+            document.querySelector('main').dispatchEvent(event);
+        }";
+        page.call(drop, &[json!(good)]).await?;
+        page.wait_for_text("#league-status", "All 2 mazes are run").await?;
+        page.wait_for_text("#runs-title", "10 runs").await?;
+        page.wait_for_text(".refused", "bad.maze").await?;
+        assert!(page.text(".refused").await?.contains("Line 1"));
+        Ok(())
+    })
+    .await
+}
