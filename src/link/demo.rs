@@ -181,7 +181,8 @@ impl DemoRobot {
         }
         let byte_us = 10_000_000 / u64::from(self.baud);
         if let Power::On { since_ms, robot } = &mut self.power {
-            let robot_ms = (now_ms - *since_ms) as u32;
+            // Bytes that came first may have woken it later than this step.
+            let robot_ms = now_ms.saturating_sub(*since_ms) as u32;
             robot.tick(robot_ms);
             // What the wire did not carry while nobody spoke is lost time.
             self.wire_us = self.wire_us.max((now_ms * 1000).saturating_sub(1000 * STEP_MS + byte_us));
@@ -213,5 +214,20 @@ impl DemoRobot {
             }
             on @ (Power::On { .. } | Power::Switching) => on,
         };
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::maze::samples;
+
+    #[test]
+    fn bytes_may_wake_it_before_time_is_told() {
+        let mut robot = DemoRobot::new(&samples::figure_3_1(), 0).unwrap();
+        robot.tick(BOOT_MS - 20);
+        robot.bytes_in(b"\nhi\n", BOOT_MS + 40);
+        let said = (0..100).flat_map(|i| robot.tick(BOOT_MS + 41 + i)).collect::<Vec<u8>>();
+        assert!(said.starts_with(b"ready 1 "));
     }
 }

@@ -58,7 +58,10 @@ pub fn MonitorCard() -> impl IntoView {
     let on_scroll = move |_| {
         if let Some(div) = scroller.get_untracked() {
             let (top, height) = (f64::from(div.scroll_top()), f64::from(div.client_height()));
-            let follows = top + height + LINE >= f64::from(div.scroll_height());
+            let before = sight.get_untracked();
+            // Lines may have come since it was scrolled down: only who scrolls up lets the newest go.
+            let down = top + height + LINE >= f64::from(div.scroll_height());
+            let follows = down || before.follows && top >= before.top;
             sight.set(Sight { top, height, follows });
         }
     };
@@ -72,7 +75,12 @@ pub fn MonitorCard() -> impl IntoView {
             if (sight.get_untracked().height - height).abs() > 1.0 {
                 sight.update(|sight| sight.height = height);
             }
-            div.set_scroll_top(div.scroll_height());
+            // Once the lines are there.
+            request_animation_frame(move || {
+                if sight.try_get_untracked().is_some_and(|sight| sight.follows) {
+                    div.set_scroll_top(div.scroll_height());
+                }
+            });
         }
     });
     let copied = move |ok: bool| match ok {
