@@ -59,7 +59,7 @@ fn OrderButton() -> impl IntoView {
         Order::Random(seed) => format!("random {seed}"),
     };
     view! {
-        <button class="btn" id="explorer" aria-label=sig(move || format!("Settings of the run: {}", order())) title="Explorer, preference order, settings (O)" on:click=mouse(move |_| lab.dialog.set(Some(Dialog::Settings)))>
+        <button class="btn" id="explorer" aria-label=sig(move || format!("Settings of the run: {}{}", if lab.by_the_book() { "Book · " } else { "" }, order())) title="Explorer, preference order, settings (O)" on:click=mouse(move |_| lab.dialog.set(Some(Dialog::Settings)))>
             {icons::settings()}
             <span class="hide-s">{part(move || lab.by_the_book().then_some(view! { <span class="hide-l">"Book · "</span> }))}{order}</span>
         </button>

@@ -176,7 +176,7 @@ fn ends(desk: Desk) -> impl IntoView {
 }
 
 /// The parting that is shown: the last one that was passed, or else the first.
-fn shown_fork<'f>(desk: Desk, field: &'f Field) -> Option<&'f Fork> {
+fn shown_fork(desk: Desk, field: &Field) -> Option<&Fork> {
     let (by, now) = (desk.by.get(), desk.now.get());
     let passed = |fork: &&Fork| field.fork_time(fork, by) <= now + 1e-9;
     field.forks.iter().rfind(passed).or_else(|| field.forks.first())

@@ -24,7 +24,6 @@ pub fn Transport() -> impl IntoView {
 fn Buttons() -> impl IntoView {
     let desk = desk();
     let button = |label: &'static str, icon: AnyView, act: fn(Desk)| {
-        let desk = desk;
         view! { <button aria-label=label title=label on:click=mouse(move |_| act(desk))>{icon}</button> }
     };
     let playing = move || desk.playing.get();

@@ -57,8 +57,8 @@ pub fn stage(watched: Watched) -> AnyView {
             }))}
             {part(move || (lab.round.get() == Round::Solved).then(|| view! { <path class="route" d=sig(move || route(lab)) /> }))}
             <Ends camera=camera known=known />
-            <g class="marks" inner_html=sig(move || watched.at(|run, at| marks(run, at)))></g>
-            <g class="square-names" aria-hidden="true" inner_html=sig(move || if readable.get() { watched.at(|run, at| names(run, at)) } else { String::new() })></g>
+            <g class="marks" inner_html=sig(move || watched.at(marks))></g>
+            <g class="square-names" aria-hidden="true" inner_html=sig(move || if readable.get() { watched.at(names) } else { String::new() })></g>
             <Bot pose=Signal::derive(move || pose(lab, watched)) pixel=Signal::derive(move || camera.pixel()) />
             <g inner_html=sig(move || watched.at(|run, at| nodes(run, at, large.get())))></g>
         </svg>
@@ -202,8 +202,8 @@ fn names(run: &OtherRun, at: &At) -> String {
             continue;
         }
         let Some(name) = recorded::square_name(&run.recording, &at.mind, point) else { return String::new() };
-        let (x, y) = (point.x * UNIT + 13, -point.y * UNIT - 15);
-        let _ = write!(markup, "<text class=\"label\" x=\"{x}\" y=\"{y}\">{name}</text>");
+        let (x, y) = (point.x * UNIT + 34, -point.y * UNIT - 20);
+        let _ = write!(markup, "<text class=\"label\" text-anchor=\"end\" x=\"{x}\" y=\"{y}\">{name}</text>");
     }
     markup
 }

@@ -74,6 +74,7 @@ impl Page {
     /// # Errors
     /// If there's no such field.
     pub async fn fill(&self, css: &str, text: &str) -> Result<()> {
+        self.wait_for(css).await?;
         let field = self.session.client.find(Locator::Css(css)).await?;
         field.clear().await?;
         if !text.is_empty() {
@@ -88,6 +89,7 @@ impl Page {
     /// # Errors
     /// If there's no such list or entry.
     pub async fn choose(&self, css: &str, entry: &str) -> Result<()> {
+        self.wait_for(css).await?;
         self.session.client.find(Locator::Css(css)).await?.select_by_label(entry).await?;
         Ok(())
     }
@@ -97,6 +99,8 @@ impl Page {
     /// # Errors
     /// If it's not there, or something is in the way.
     pub async fn click(&self, name: &str) -> Result<()> {
+        // A part of the page may be on its way.
+        self.wait_until(&format!("({CONTROL})({})", json!(name))).await?;
         let place = self.call(&format!("(name) => ({MIDDLE})(({CONTROL})(name))"), &[json!(name)]).await?;
         self.click_at(place_of(&place, name)?).await
     }
@@ -114,6 +118,7 @@ impl Page {
     /// # Errors
     /// If it's not there, or something is in the way.
     pub async fn middle(&self, css: &str) -> Result<Place> {
+        self.wait_for(css).await?;
         let find = format!("(css) => ({MIDDLE})(document.querySelector(css))");
         place_of(&self.call(&find, &[json!(css)]).await?, css)
     }
@@ -161,6 +166,8 @@ impl Page {
     /// # Errors
     /// If it's not there, or something is in the way.
     pub async fn tap(&self, name: &str) -> Result<()> {
+        // A part of the page may be on its way.
+        self.wait_until(&format!("({CONTROL})({})", json!(name))).await?;
         let place = self.call(&format!("(name) => ({MIDDLE})(({CONTROL})(name))"), &[json!(name)]).await?;
         self.touch_drag(&[&[place_of(&place, name)?]]).await
     }

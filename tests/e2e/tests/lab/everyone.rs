@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 use crate::drawing::from_menu;
 
 /// The dialogs that a key or a button of the head opens.
-const DIALOGS: [&str; 3] = ["Keys", "Share", "Settings of the run: S → R → L"];
+const DIALOGS: [&str; 3] = ["Keys", "Share", "Settings of the run: Book · S → R → L"];
 
 /// What is cut off at a side, or smaller than a finger, or makes the page scroll sideways.
 const TROUBLES: &str = "() => {
@@ -80,7 +80,8 @@ async fn tour(page: &Page, name: &str, look: &mut impl AsyncFnMut(&str) -> Resul
         page.press("o").await?;
         page.choose("#explorer-name", title).await?;
         page.press("Escape").await?;
-        page.wait_for_text("#explorer", title).await?;
+        page.wait_until(&format!("document.querySelector('#explorer').ariaLabel.includes('{title}')"))
+            .await?;
         page.wait_for("#inspector").await?;
         page.press("End").await?;
         page.wait_for("#result").await?;
@@ -290,7 +291,7 @@ async fn tab_reaches_everything_and_shows_where_it_is() -> Result<()> {
             "Skip to the maze",
             "Draw",
             "Step",
-            "Settings of the run: S → R → L",
+            "Settings of the run: Book · S → R → L",
             "Projector (P)",
             "Share",
             "Keys (?)",

@@ -237,7 +237,7 @@ async fn settings_change_the_run() -> Result<()> {
         assert_eq!(page.texts("#result .letters b").await?, ["R", "S", "S", "L", "L"]);
         assert!(page.text("#result .facts").await?.contains("1.67"));
 
-        page.click("Settings of the run: R → S → L").await?;
+        page.click("Settings of the run: Book · R → S → L").await?;
         page.choose("#order", "random at every choice").await?;
         page.fill("#seed", "7").await?;
         page.wait_for_text(".top", "random 7").await?;
