@@ -128,7 +128,7 @@ fn the_browser_keeps_maze_settings_and_theme() {
     storage::keep_maze(&maze).unwrap();
     assert_eq!(storage::maze(), Some(maze));
     let settings = Settings { order: Order::Random(9), node_max: 12, ..Settings::default() };
-    storage::keep_settings(&settings);
+    storage::keep_settings(&settings, Name::LeftHand);
     assert_eq!(storage::settings(), settings);
     for theme in [Theme::Dark, Theme::Light, Theme::System] {
         storage::keep_theme(theme);
