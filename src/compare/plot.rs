@@ -32,7 +32,7 @@ pub struct Marked {
 /// use line_maze_lab::compare::plot::{Marked, histogram};
 /// let bars = [Bar { from: 9, to: 9, count: 3 }, Bar { from: 10, to: 10, count: 1 }];
 /// let svg = histogram(&bars, Marked { shortest: Some(9), own: Some(10) });
-/// assert_eq!(svg.matches("<rect").count(), 2);
+/// assert_eq!(svg.matches("<rect class=\"bar").count(), 2);
 /// assert!(svg.contains("class=\"bar best\"") && svg.contains("class=\"bar own\""));
 /// ```
 #[must_use]

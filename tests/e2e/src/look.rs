@@ -59,6 +59,7 @@ impl Page {
     /// # Errors
     /// If there's no such field.
     pub async fn value(&self, css: &str) -> Result<String> {
+        self.wait_for(css).await?;
         let value = self.call("(css) => document.querySelector(css)?.value", &[json!(css)]).await?;
         Ok(value.as_str().with_context(|| format!("there's no field {css}"))?.to_owned())
     }
