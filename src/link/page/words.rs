@@ -20,7 +20,7 @@ pub enum Command {
     Disconnect,
     /// The rate from the next opening on; at once, if nobody has answered.
     Baud(u32),
-    /// After nobody has answered: the next of [`RATES`].
+    /// After nobody has answered: the next of `RATES`.
     NextRate,
     /// Send a turn list, and read it back.
     Send(TurnList),
