@@ -33,7 +33,7 @@ lazy! { errata;
         let titles = move || now().map(|erratum| erratum.title).collect::<Vec<_>>().join(" · ");
         let lab = lab();
         view! {
-            <details class="errata-notes" prop:open=open.get_untracked() on:toggle=event(move |event| {
+            <details class="errata-notes" prop:open=open.try_get_untracked().unwrap_or_default() on:toggle=event(move |event| {
                 open.set(event.target().is_some_and(|details| details.unchecked_into::<web_sys::Element>().has_attribute("open")));
             })>
                 <summary>

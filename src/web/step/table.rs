@@ -32,8 +32,9 @@ pub fn NodeTable() -> impl IntoView {
     let scrolled = RwSignal::new(AT_FIRST);
     let scroller = NodeRef::<html::Div>::new();
     let on_scroll = move |_| {
-        if let Some(div) = scroller.get_untracked() {
-            scrolled.set((f64::from(div.scroll_top()), f64::from(div.client_height())));
+        // Scrolling is told later, when the table may be gone.
+        if let Some(div) = scroller.try_get_untracked().flatten() {
+            let _ = scrolled.try_set((f64::from(div.scroll_top()), f64::from(div.client_height())));
         }
     };
     keep_in_sight(lab, scroller, scrolled);
@@ -189,8 +190,8 @@ fn keep_in_sight(lab: Lab, scroller: NodeRef<html::Div>, scrolled: RwSignal<Sigh
                 div.set_scroll_top(wanted as i32);
                 top = wanted;
             }
-            if scrolled.get_untracked() != (top, height) {
-                scrolled.set((top, height));
+            if scrolled.try_get_untracked().is_some_and(|known| known != (top, height)) {
+                let _ = scrolled.try_set((top, height));
             }
         });
     });
