@@ -485,6 +485,7 @@ fn the_league_runs_over_files_folders_samples_and_generated_mazes() {
     assert!(nothing.err.contains("no maze to run in"), "{}", nothing.err);
 }
 
+/// A robot's words on standard output, to what is typed; it stops when the input ends.
 #[test]
 fn robot_speaks_on_standard_input_and_output() {
     let mut child = command(&["robot", "--stdio", "--maze", FIGURE, "--quiet"]).spawn().unwrap();
