@@ -89,10 +89,28 @@ pub(crate) fn e2e(shell: &Shell) -> Result<Counts> {
     run(shell.cargo().args(["build", "--features", "cli", "--bin", "linemaze"]))?;
     let temporary = Temporary::new(shell, "e2e")?;
     let mut command = shell.cargo();
-    command.args(["test", "--package", "e2e", "--no-fail-fast"]);
-    command.env("LINE_MAZE_DIST", dist::folder(shell)).env("AXE_CORE", axe);
-    command.env("CHROMIUM", browser.chromium).env("CHROMEDRIVER", browser.driver).env("TMPDIR", &temporary.0);
-    cargo_test(&mut command)
+    command.args(["test", "--package", "e2e", "--no-fail-fast"]).env("AXE_CORE", axe);
+    cargo_test(in_browser(shell, &mut command, browser, &temporary))
+}
+
+/// Measures the page in `dist/` in a real browser, and prints what it finds.
+pub(crate) fn speed(shell: &Shell) -> Result<()> {
+    let browser = browser::browser(shell)?;
+    dist::dist(shell)?;
+    let temporary = Temporary::new(shell, "speed")?;
+    let mut command = shell.cargo();
+    command.args(["run", "--quiet", "--package", "e2e", "--example", "speed"]);
+    run(in_browser(shell, &mut command, browser, &temporary))
+}
+
+fn in_browser<'a>(
+    shell: &Shell,
+    command: &'a mut Command,
+    browser: browser::Browser,
+    temporary: &Temporary,
+) -> &'a mut Command {
+    command.env("LINE_MAZE_DIST", dist::folder(shell)).env("TMPDIR", &temporary.0);
+    command.env("CHROMIUM", browser.chromium).env("CHROMEDRIVER", browser.driver)
 }
 
 fn cargo_test(command: &mut Command) -> Result<Counts> {

@@ -40,6 +40,7 @@ The chores of Line Maze Lab. Each installs what it needs and says what it does.
 
   cargo xtask ci       what the project's checks run: format, lints, documentation, then every layer
   cargo xtask dist     make dist/, a folder for any static web server, at any address
+  cargo xtask speed    measure the page in a real browser: a step, a scrub, opening a large maze
 
 The first time takes some minutes, to compile the tools; later nothing is installed again.
 ";
@@ -69,6 +70,7 @@ fn run(mut args: Parser) -> Result<ExitCode> {
         "serve" => serve::serve(&shell, &serve_options(args)?),
         "test" => layers::test(&shell, &layers::chosen(&values(args)?)?),
         "ci" => no_more(args).and_then(|()| layers::test(&shell, &layers::Layer::ALL)),
+        "speed" => no_more(args).and_then(|()| checks::speed(&shell)).map(|()| ExitCode::SUCCESS),
         "dist" => no_more(args).and_then(|()| dist::dist(&shell)).map(|()| ExitCode::SUCCESS),
         "help" => {
             print!("{HELP}");

@@ -7,6 +7,7 @@ use leptos::prelude::*;
 
 use crate::playback::{Command, Mark, SPEEDS, Timeline, Unit};
 use crate::trace::Moment;
+use crate::web::maze_view::size_of;
 use crate::web::played;
 use crate::web::state::{Lab, Round, lab};
 use crate::web::{browser, icons};
@@ -81,7 +82,8 @@ pub fn Scrubber() -> impl IntoView {
     let dragging = RwSignal::new(false);
     let count = Memo::new(move |_| stops(lab));
     let at = move || lab.playing().with(|playback| f64::from(playback.moment().stop) + playback.along());
-    let percent = move |stop: f64| format!("{}%", Decimal(stop / f64::from(count.get().max(1)) * 100.0, 3));
+    let share = move |stop: f64| stop / f64::from(count.get().max(1));
+    let size = size_of(track);
     let stop_under = move |event: &web_sys::PointerEvent| {
         let rect = track.get_untracked()?.get_bounding_client_rect();
         let share = ((f64::from(event.client_x()) - rect.left()) / rect.width().max(1.0)).clamp(0.0, 1.0);
@@ -120,9 +122,10 @@ pub fn Scrubber() -> impl IntoView {
             on:pointerleave=pointer(move |_| hover.set(None))
         >
             <div class="track" node_ref=track>
-                <div class="fill" style:width=sig(move || percent(at()))></div>
-                <Markers count=count />
-                <div class="thumb" style:left=sig(move || percent(at()))></div>
+                <div class="fill" style:transform=sig(move || format!("scaleX({})", Decimal(share(at()), 5)))></div>
+                <Markers count=count width=sig(move || size.get().w) />
+                // As wide as the track, so that it moves by shares of it: a move is no new layout.
+                <div class="thumb" style:transform=sig(move || format!("translateX({}%)", Decimal(share(at()) * 100.0, 3)))></div>
                 {part(move || hover.get().map(|(stop, left)| view! {
                     <div class="tip" style:left=format!("{}%", Decimal(left, 2)) aria-hidden="true">{said(lab, stop)}</div>
                 }))}
@@ -143,53 +146,47 @@ fn said(lab: Lab, stop: u32) -> String {
 /// Most markers of a kind that are drawn: with more of them, they are thinned out.
 const MARKERS: u32 = 400;
 
-/// The events on the time line, one path a kind: disc, bar, ring, triangle, square.
+/// The events on the time line: disc, bar, tick, triangle, square. All of a kind are one shape, as a long run has
+/// hundreds of them.
 #[component]
-fn Markers(count: Memo<u32>) -> impl IntoView {
+fn Markers(count: Memo<u32>, #[prop(into)] width: Signal<f64>) -> impl IntoView {
     let lab = lab();
     let marks = Memo::new(move |_| {
         let count = count.get();
         let every = count.div_ceil(MARKERS).max(1);
-        let mut found: Vec<(Mark, f64)> = Vec::new();
-        for stop in 1..=count {
-            let mark = timeline(lab, Mark::Plain, |line| line.mark(stop));
-            if mark != Mark::Plain && (mark == Mark::End || stop % every == 0) {
-                found.push((mark, f64::from(stop) / f64::from(count) * 100.0));
-            }
-        }
-        found
+        let worth =
+            |&(stop, mark): &(u32, Mark)| mark != Mark::Plain && (mark == Mark::End || stop % every == 0);
+        timeline(lab, Vec::new(), |line| {
+            (1..=count).map(|stop| (stop, line.mark(stop))).filter(worth).collect::<Vec<_>>()
+        })
     });
-    view! {
-        <svg aria-hidden="true">
-            {part(move || marks.get().into_iter().map(|(mark, at)| marker(mark, at)).collect_view())}
-        </svg>
-    }
+    let drawn = move || {
+        let a_stop = width.get() / f64::from(count.get().max(1));
+        let kinds = [Mark::Known, Mark::Node, Mark::DeadEnd, Mark::Unknown, Mark::End];
+        kinds.map(|kind| {
+            let stops = marks.with(|marks| {
+                marks.iter().filter(|(_, mark)| *mark == kind).map(|(stop, _)| *stop).collect::<Vec<_>>()
+            });
+            let (class, shape) = shape(kind);
+            let data: String = stops
+                .into_iter()
+                .map(|stop| format!("M{} 0{shape}", Decimal(f64::from(stop) * a_stop, 1)))
+                .collect();
+            view! { <path class=class d=data /> }
+        })
+    };
+    view! { <svg aria-hidden="true">{part(move || drawn().into_iter().collect_view())}</svg> }
 }
 
-fn marker(mark: Mark, at: f64) -> impl IntoView {
-    let at = format!("{}%", Decimal(at, 3));
+/// The class of a kind of marker, and its path from the middle of its upper edge.
+const fn shape(mark: Mark) -> (&'static str, &'static str) {
     match mark {
-        Mark::Plain => ().into_any(),
-        Mark::Node => view! {
-            <svg x=at overflow="visible"><g class="m-node"><circle cy="5" r="4" /><rect x="-1" y="5" width="2" height="23" /></g></svg>
-        }
-        .into_any(),
-        Mark::DeadEnd => view! {
-            <svg x=at overflow="visible"><g class="m-dead"><rect x="-5" y="2" width="10" height="4" /><rect x="-1" y="5" width="2" height="23" /></g></svg>
-        }
-        .into_any(),
-        Mark::Known => view! {
-            <svg x=at overflow="visible"><g class="m-known"><rect x="-.75" y="11" width="1.5" height="17" /></g></svg>
-        }
-        .into_any(),
-        Mark::Unknown => view! {
-            <svg x=at overflow="visible"><g class="m-unk"><path d="M0 0l5 9h-10z" /><rect x="-1.5" y="8" width="3" height="20" /></g></svg>
-        }
-        .into_any(),
-        Mark::End => view! {
-            <svg x=at overflow="visible"><g class="m-end"><rect x="-4" y="1" width="8" height="8" /><rect x="-2" y="8" width="4" height="20" /></g></svg>
-        }
-        .into_any(),
+        Mark::Plain => ("", ""),
+        Mark::Node => ("m-node", "m-4 5a4 4 0 1 0 8 0a4 4 0 1 0-8 0m3 0h2v23h-2z"),
+        Mark::DeadEnd => ("m-dead", "m-5 2h10v4h-10zm4 3h2v23h-2z"),
+        Mark::Known => ("m-known", "m-.75 11h1.5v17h-1.5z"),
+        Mark::Unknown => ("m-unk", "l5 9h-10zm-1.5 8h3v20h-3z"),
+        Mark::End => ("m-end", "m-4 1h8v8h-8zm2 7h4v20h-4z"),
     }
 }
 
