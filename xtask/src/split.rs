@@ -3,6 +3,7 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
 
 use anyhow::{Context, Result, anyhow};
 use sha2::{Digest, Sha256};
@@ -50,14 +51,14 @@ pub(crate) fn split(shell: &Shell, folder: &Path) -> Result<()> {
     bindgen.args(["--target", "web", "--no-typescript", "--keep-lld-exports", "--out-name", &page]);
     run(bindgen.arg("--out-dir").arg(folder).arg(&main))?;
     let main = folder.join(format!("{page}_bg.wasm"));
-    optimize(shell, &main, &main)?;
+    let light = |part: &Path| part.with_extension("light");
+    let parts_to_main = split.split_modules.iter().map(|part| (part.clone(), light(part)));
+    optimize_all(shell, parts_to_main.chain([(main.clone(), main)]).collect())?;
 
     let mut link = fs::read_to_string(work.join(&parts)).context("the split left no loader")?;
     for part in split.split_modules {
         let stem = part.file_stem().context("a part has no name")?.to_string_lossy().into_owned();
-        let light = work.join(format!("{stem}.light.wasm"));
-        optimize(shell, &part, &light)?;
-        let content = fs::read(&light)?;
+        let content = fs::read(light(&part))?;
         let name = format!("{}-{}.wasm", stem.trim_start_matches("split_").replace('_', "-"), hash(&content));
         link = link.replace(&format!("\"./{stem}.wasm\""), &format!("\"./{name}\""));
         fs::write(folder.join(name), content)?;
@@ -74,6 +75,20 @@ fn page_name(folder: &Path) -> Result<String> {
         }
     }
     Err(anyhow!("trunk left no wasm in {}", folder.display()))
+}
+
+/// The largest, which is the last, takes as long as many small ones: all processors share the list.
+fn optimize_all(shell: &Shell, jobs: Vec<(PathBuf, PathBuf)>) -> Result<()> {
+    let jobs = Mutex::new(jobs);
+    let next = || jobs.lock().unwrap_or_else(PoisonError::into_inner).pop();
+    let work = || std::iter::from_fn(next).try_for_each(|(from, to)| optimize(shell, &from, &to));
+    std::thread::scope(|scope| {
+        let workers = std::thread::available_parallelism().map_or(1, usize::from);
+        let workers: Vec<_> = (0..workers).map(|_| scope.spawn(work)).collect();
+        workers.into_iter().try_for_each(|worker| {
+            worker.join().unwrap_or_else(|_| Err(anyhow!("wasm-opt's thread broke off")))
+        })
+    })
 }
 
 fn optimize(shell: &Shell, from: &Path, to: &Path) -> Result<()> {
