@@ -15,11 +15,22 @@ pub fn part<V: IntoAny>(make: impl Fn() -> V + Send + 'static) -> Box<dyn FnMut(
     Box::new(move || make().into_any())
 }
 
+/// A handler that hears nothing any more once its view is gone: the browser tells some events later (scrolling,
+/// losing the focus, a click on its way up), when the signals that they would be answered with are gone too.
+fn while_shown<E: 'static>(mut handle: Box<dyn FnMut(E)>) -> Box<dyn FnMut(E)> {
+    let shown = StoredValue::new(());
+    Box::new(move |event| {
+        if !shown.is_disposed() {
+            handle(event);
+        }
+    })
+}
+
 macro_rules! handlers {
     ($($name:ident $event:ty;)*) => {$(
         #[doc = concat!("A handler of `", stringify!($event), "`.")]
         pub fn $name(handle: impl FnMut($event) + 'static) -> Box<dyn FnMut($event)> {
-            Box::new(handle)
+            while_shown(Box::new(handle))
         }
     )*};
 }
