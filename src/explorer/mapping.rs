@@ -14,7 +14,7 @@
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 
-use super::book::errata::{Erratum, Kind};
+use super::book::errata::{Erratum, Kind, Place};
 use super::mind::{Costs, Plan, Robot, Setup};
 use super::places::{Places, Reckoning};
 use super::tell::Said;
@@ -59,7 +59,7 @@ pub static ERRATA: &[Erratum] = &[
         printed: Some("CoOr_y of F: 18"),
         meant: Some("CoOr_Y of F: 2"),
         kind: Kind::Slip,
-        places: &[],
+        places: &[Place::SakibFigure2 { stop: 11 }],
     },
     Erratum {
         section: "§III, figure 3",
@@ -68,7 +68,11 @@ pub static ERRATA: &[Erratum] = &[
         printed: None,
         meant: None,
         kind: Kind::Slip,
-        places: &[],
+        places: &[
+            Place::SakibFigure2 { stop: 4 },
+            Place::SakibFigure2 { stop: 8 },
+            Place::SakibFigure2 { stop: 9 },
+        ],
     },
 ];
 

@@ -11,7 +11,7 @@
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 
-use super::book::errata::{Erratum, Kind};
+use super::book::errata::{Erratum, Kind, Place};
 use super::hand::Side;
 use super::mind::{Field, Plan, Robot};
 use super::tell::{Said, tail};
@@ -49,7 +49,7 @@ pub static ERRATA: &[Erratum] = &[
         printed: Some("For P = CSIP to 2"),
         meant: Some("For P = CSIP to 3 Step -1"),
         kind: Kind::Slip,
-        places: &[],
+        places: &[Place::Ran(line::CUT_ANY)],
     },
     Erratum {
         section: "Special case 1",
@@ -58,7 +58,7 @@ pub static ERRATA: &[Erratum] = &[
         printed: Some("Path(P-2)"),
         meant: None,
         kind: Kind::Slip,
-        places: &[],
+        places: &[Place::Ran(line::IF_ANY)],
     },
     Erratum {
         section: "Special case 1",
@@ -67,7 +67,7 @@ pub static ERRATA: &[Erratum] = &[
         printed: Some("Path(P) = 0"),
         meant: Some("Path(Q) = 0"),
         kind: Kind::Slip,
-        places: &[],
+        places: &[Place::Ran(line::CUT_ANY)],
     },
 ];
 

@@ -35,6 +35,9 @@ pub const FIGURE_2_4: Sample = sample!("book-2-4", "2.4 loop");
 /// The book's figure 3.1, whose run the book tells stop by stop.
 pub const FIGURE_3_1: Sample = sample!("book-3-1", "3.1 the run");
 
+/// Figure 2 of Sakib and others, which their full mapping maps in figure 3.
+pub const SAKIB_2: Sample = sample!("sakib-2", "Sakib 2, 3");
+
 /// All samples, in the shelf's order.
 pub const SAMPLES: &[Sample] = &[
     sample!("book-1-1", "1.1 loops"),
@@ -50,7 +53,7 @@ pub const SAMPLES: &[Sample] = &[
     sample!("hand-circles", "Finish in a loop"),
     sample!("sakib-1", "Sakib 1"),
     sample!("sums-lap", "A lap"),
-    sample!("sakib-2", "Sakib 2, 3"),
+    SAKIB_2,
     sample!("parex-1", "PAReX 1"),
     sample!("parex-special-2", "PAReX 2"),
     sample!("cornell-6x4", "Cornell 6×4"),

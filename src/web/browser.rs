@@ -90,6 +90,12 @@ pub fn let_go(event: &web_sys::Event) {
     }
 }
 
+/// Whether the `<details>` of a toggle event is open now.
+#[must_use]
+pub fn is_open(event: &web_sys::Event) -> bool {
+    event.target().is_some_and(|details| details.unchecked_into::<web_sys::Element>().has_attribute("open"))
+}
+
 /// Moves the keyboard's focus to an element.
 pub fn focus(id: &str) {
     if let Some(element) = document().get_element_by_id(id) {

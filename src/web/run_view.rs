@@ -125,11 +125,15 @@ impl Run {
     }
 }
 
+/// Whether a maze is drawn as a figure is, with start and finish.
+#[must_use]
+pub fn is_figure(maze: &Maze, figure: &Maze) -> bool {
+    figure.start() == maze.start() && figure.finish() == maze.finish() && figure.lines().eq(maze.lines())
+}
+
 /// The book's figures, when they are walked as in the book.
 fn walk(maze: &Maze, settings: &Settings) -> Walk {
-    let same = |figure: &Maze| {
-        figure.start() == maze.start() && figure.finish() == maze.finish() && figure.lines().eq(maze.lines())
-    };
+    let same = |figure: &Maze| is_figure(maze, figure);
     if settings.order != Order::Fixed(Preference::SRL) || settings.epsilon_ms.is_some() {
         Walk::Other
     } else if same(&samples::figure_3_1()) {

@@ -1,11 +1,12 @@
 //! The notes on the book: each at its stop or line, and never more than two.
 
 use line_maze_lab::explorer::book::code::Line;
-use line_maze_lab::explorer::book::errata::{AT_ONCE, ERRATA, Erratum, Kind, Walk, at};
+use line_maze_lab::explorer::book::errata::{AT_ONCE, ERRATA, Erratum, Kind, Walk, at, at_stop};
+use line_maze_lab::explorer::name::Name;
 use line_maze_lab::geometry::Heading;
-use line_maze_lab::maze::Maze;
-use line_maze_lab::run::explore;
-use line_maze_lab::settings::Settings;
+use line_maze_lab::maze::{Maze, samples, samples::SAMPLES};
+use line_maze_lab::run::{AnyRun, explore, record};
+use line_maze_lab::settings::{Rule, Settings};
 use line_maze_lab::trace::{Moment, Trace};
 
 use crate::support::{figure_2_4, figure_3_1, maze};
@@ -125,6 +126,44 @@ fn every_note_is_short_and_at_most_two_stand_together() {
             for lines in 0..=trace.lines(stop) {
                 assert!(titles(&trace, Moment { stop, lines }, walk).len() <= AT_ONCE);
             }
+        }
+    }
+}
+
+/// The notes of another explorer's run, by stop.
+fn others(maze: &Maze, name: Name, rule: Rule, walk: Walk) -> Vec<(u32, Vec<&'static str>)> {
+    let settings = Settings { rule, ..Settings::default() };
+    let AnyRun::Other(run) = record(maze, &settings, name).unwrap() else { panic!("not the book's") };
+    let at = |stop| at_stop(name.about().errata, walk, stop, &run.at(stop).said).map(|note| note.title);
+    let stops = (0..=run.stops()).map(|stop| (stop, at(stop).collect::<Vec<_>>()));
+    stops.filter(|(_, titles)| !titles.is_empty()).collect()
+}
+
+#[test]
+fn the_mapping_papers_notes_stand_where_figure_3_errs() {
+    let counts = vec!["Two counts of Explored"];
+    let expected = [(4, counts.clone()), (8, counts.clone()), (9, counts), (11, vec!["F lies in the south"])];
+    let maze = samples::SAKIB_2.maze();
+    assert_eq!(others(&maze, Name::Mapping, Rule::Special1, Walk::SakibFigure2), expected);
+    assert!(others(&maze, Name::Mapping, Rule::Special1, Walk::Other).is_empty());
+}
+
+#[test]
+fn the_path_mapping_articles_notes_stand_where_its_loop_runs_and_cuts() {
+    let sample = SAMPLES.iter().find(|sample| sample.file == "parex-1").unwrap();
+    // Squares 1 5 6 2 3 7 6: the last leads back, so the loop finds it and clears what came between.
+    let notes = others(&sample.maze(), Name::ParexRight, Rule::Special1, Walk::Other);
+    assert_eq!(notes.iter().find(|(stop, _)| *stop == 5).unwrap().1, ["Path(0)"]);
+    let cut = ["The loop has to count down", "Path(0)", "The wrong variable"];
+    assert_eq!(notes.iter().find(|(stop, _)| *stop == 6).unwrap().1, cut);
+    assert!(others(&sample.maze(), Name::ParexRight, Rule::Basic, Walk::Other).is_empty());
+}
+
+#[test]
+fn every_note_on_another_source_is_shown_somewhere() {
+    for name in Name::ALL.iter().copied().filter(|&name| name != Name::Book) {
+        for Erratum { title, places, .. } in name.about().errata {
+            assert!(!places.is_empty(), "{name}: {title} is shown at no stop");
         }
     }
 }

@@ -4,6 +4,7 @@
 
 use super::Case;
 use super::code::Line;
+use crate::explorer::tell::Said;
 use crate::trace::{Frame, State};
 
 mod list;
@@ -61,6 +62,13 @@ pub enum Place {
     Case(Case),
     /// When this line ran last.
     Line(Line),
+    /// A stop of the walk through figure 2 of Sakib and others, when it is over.
+    SakibFigure2 {
+        /// From 1.
+        stop: u32,
+    },
+    /// A stop at which this line of another explorer's listing ran.
+    Ran(u8),
 }
 
 /// Which walk a trace is.
@@ -70,6 +78,8 @@ pub enum Walk {
     Figure31,
     /// Figure 2.4 with that order: §2.6's own, but for the U-turn.
     Figure24,
+    /// Figure 2 of Sakib and others, which their full mapping maps.
+    SakibFigure2,
     /// Any other.
     Other,
 }
@@ -90,6 +100,24 @@ pub fn numbers_at(frame: &Frame, walk: Walk) -> impl Iterator<Item = usize> {
     (0..RANKS).flat_map(ranked).take(AT_ONCE)
 }
 
+/// The notes on another explorer's source that apply at a stop when it is over.
+pub fn at_stop(
+    errata: &'static [Erratum],
+    walk: Walk,
+    stop: u32,
+    said: &Said,
+) -> impl Iterator<Item = &'static Erratum> + use<> {
+    let said = *said;
+    let here = move |place: &Place| match *place {
+        Place::SakibFigure2 { stop: there } => walk == Walk::SakibFigure2 && stop == there,
+        Place::Ran(line) => said.lines().contains(&line),
+        // The book's.
+        Place::Figure31 { .. } | Place::Figure24 { .. } | Place::Overflow => false,
+        Place::Case(_) | Place::Line(_) => false,
+    };
+    errata.iter().filter(move |erratum| erratum.places.iter().any(here))
+}
+
 const RANKS: u8 = 4;
 
 /// How special a note is at this moment: 0 is most; none where it doesn't apply.
@@ -106,6 +134,8 @@ impl Place {
             Self::Overflow => (overflows(&frame.state) && !overflows(&frame.before), 1),
             Self::Case(case) => (frame.case == Some(case), 2),
             Self::Line(line) => (frame.ran == Some(line), 3),
+            // Not the book's.
+            Self::SakibFigure2 { .. } | Self::Ran(_) => return None,
         };
         here.then_some(rank)
     }

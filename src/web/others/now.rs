@@ -3,8 +3,10 @@
 use leptos::prelude::*;
 
 use super::Watched;
+use crate::explorer::book::errata::Erratum;
 use crate::explorer::book::narrate::Narration;
-use crate::web::erase::{part, sig};
+use crate::web::browser::is_open;
+use crate::web::erase::{event, part, sig};
 use crate::web::state::{Round, lab};
 use crate::web::step::now::{SaidSolved, piece, tone};
 use crate::web::step::{ErratumNote, Length};
@@ -37,7 +39,7 @@ pub fn card(watched: Watched) -> AnyView {
     view! {
         <section class="card" aria-labelledby="now-title">
             <h2 id="now-title">"What just happened"<span class="spacer"></span><span class="small">{part(move || watched.of(|run| run.about().title))}</span></h2>
-            <div class="now" id="said" role="status" aria-live=sig(move || if playing_fast() { "off" } else { "polite" })>
+            <div class="told" id="said" role="status" aria-live=sig(move || if playing_fast() { "off" } else { "polite" })>
                 {said(watched, Length::Full)}
             </div>
             {part(move || over.get().then(|| super::result::card(watched)))}
@@ -47,19 +49,35 @@ pub fn card(watched: Watched) -> AnyView {
     .into_any()
 }
 
-/// Where the source slips.
+/// Where the source slips: those notes first that apply at this stop.
 fn errata(watched: Watched) -> AnyView {
+    let here = Memo::new(move |_| {
+        watched.at(|run, at| at.errata(run).map(|erratum| erratum.title).collect::<Vec<_>>())
+    });
+    let open = RwSignal::new(false);
+    let told = move || match here.get().as_slice() {
+        [] => "Where the source slips".to_owned(),
+        titles => titles.join(" · "),
+    };
     part(move || {
         let errata = watched.of(|run| run.about().errata);
+        let sorted = move || {
+            let applies = |erratum: &Erratum| here.with(|here| here.contains(&erratum.title));
+            let (now, other): (Vec<_>, Vec<_>) = errata.iter().partition(|erratum| applies(erratum));
+            now.into_iter()
+                .chain(other)
+                .map(|erratum| view! { <ErratumNote erratum=erratum /> })
+                .collect_view()
+        };
         (!errata.is_empty()).then(|| {
-            let titles = errata.iter().map(|erratum| erratum.title).collect::<Vec<_>>().join(" · ");
             view! {
-                <details class="errata-notes">
+                <details class="errata-notes" class:here=sig(move || here.with(|here| !here.is_empty()))
+                    prop:open=open.get_untracked() on:toggle=event(move |event| open.set(is_open(&event)))>
                     <summary>
                         <span class="mark info">{crate::web::icons::book()}</span>
-                        <span>{titles}</span>
+                        <span>{part(told)}</span>
                     </summary>
-                    {errata.iter().map(|erratum| view! { <ErratumNote erratum=erratum /> }).collect_view()}
+                    {part(sorted)}
                 </details>
             }
         })

@@ -1,8 +1,9 @@
 //! A run of any explorer but the book's, with all that the views ask of it, and a moment of it.
 
+use crate::explorer::book::errata::{self, Erratum, Walk};
 use crate::explorer::mind::Mind;
 use crate::explorer::name::{About, Name};
-use crate::maze::Maze;
+use crate::maze::{Maze, samples};
 use crate::playback::{Mark, Timeline};
 use crate::recording::driven::Driven;
 use crate::recording::{Recording, Stop};
@@ -13,7 +14,7 @@ use crate::run::{self, AnyRun};
 use crate::settings::{Pace, Settings};
 use crate::trace::Moment;
 use crate::web::played::Played;
-use crate::web::run_view::Same;
+use crate::web::run_view::{Same, is_figure};
 use crate::world::CannotStart;
 
 /// The run.
@@ -39,6 +40,8 @@ pub struct OtherRun {
     pub shortest: Option<Best>,
     /// The quickest.
     pub fastest: Option<Best>,
+    /// Whether it is a figure's walk, on which its source has notes.
+    pub walk: Walk,
     kinds: Vec<(Mark, &'static str)>,
 }
 
@@ -63,7 +66,22 @@ impl OtherRun {
         };
         let driven = Driven::of(&recording);
         let (pace, kinds) = (settings.pace, kinds(recording.name().about()));
-        Ok(Self { maze, recording, driven, pace, total, list, drive, strayed, shortest, fastest, kinds })
+        let mapped = name == Name::Mapping && is_figure(&maze, &samples::SAKIB_2.maze());
+        let walk = if mapped { Walk::SakibFigure2 } else { Walk::Other };
+        Ok(Self {
+            maze,
+            recording,
+            driven,
+            pace,
+            total,
+            list,
+            drive,
+            strayed,
+            shortest,
+            fastest,
+            walk,
+            kinds,
+        })
     }
 
     /// What is to be known about the explorer.
@@ -142,6 +160,12 @@ impl At {
     /// The line that runs next at this stop.
     pub fn next(&self) -> Option<u8> {
         self.stop.said.lines().get(self.lines).copied()
+    }
+
+    /// The notes on the source that apply here.
+    pub fn errata(&self, run: &OtherRun) -> impl Iterator<Item = &'static Erratum> + use<> {
+        let notes = errata::at_stop(run.about().errata, run.walk, self.stop.stop, &self.stop.said);
+        self.whole.then_some(notes).into_iter().flatten()
     }
 
     /// Whether the run is over.

@@ -1,9 +1,9 @@
 //! Notes at the stops and lines where the book errs. Their words are loaded when the first one is met.
 
 use leptos::prelude::*;
-use wasm_bindgen::JsCast;
 
 use crate::explorer::book::errata::{self, ERRATA, Erratum, Kind};
+use crate::web::browser::is_open;
 use crate::web::erase::{event, mouse, part};
 use crate::web::lazy::{self, lazy};
 use crate::web::state::{Dialog, lab};
@@ -33,9 +33,7 @@ lazy! { errata;
         let titles = move || now().map(|erratum| erratum.title).collect::<Vec<_>>().join(" · ");
         let lab = lab();
         view! {
-            <details class="errata-notes" prop:open=open.try_get_untracked().unwrap_or_default() on:toggle=event(move |event| {
-                open.set(event.target().is_some_and(|details| details.unchecked_into::<web_sys::Element>().has_attribute("open")));
-            })>
+            <details class="errata-notes" prop:open=open.try_get_untracked().unwrap_or_default() on:toggle=event(move |event| open.set(is_open(&event)))>
                 <summary>
                     <span class="mark info">{crate::web::icons::book()}</span>
                     <span>{titles}</span>
@@ -63,7 +61,7 @@ pub fn ErratumNote(erratum: &'static Erratum) -> impl IntoView {
         <div class="note errata">
             <span class="mark info">{crate::web::icons::book()}</span>
             <div>
-                <p class="small">{match erratum.kind { Kind::Slip => "The book slips here", Kind::Open => "The book leaves this open" }}</p>
+                <p class="small">{match erratum.kind { Kind::Slip => "The source slips here", Kind::Open => "The source leaves this open" }}</p>
                 <p><b>{erratum.title}</b></p>
                 <p class="small">{erratum.section}": "{erratum.text}</p>
                 {erratum.printed.zip(erratum.meant).map(|(printed, meant)| slip(printed, meant))}

@@ -127,7 +127,7 @@ pub fn NowCard() -> impl IntoView {
     view! {
         <section class="card" aria-labelledby="now-title">
             <h2 id="now-title">"What just happened"</h2>
-            <div class="now" id="said" role="status" aria-live=sig(move || if playing_fast() { "off" } else { "polite" })>
+            <div class="told" id="said" role="status" aria-live=sig(move || if playing_fast() { "off" } else { "polite" })>
                 <Said length=Length::Full />
             </div>
             {part(move || at_finish.get().then(|| view! { <ResultCard /> }))}

@@ -59,6 +59,7 @@ async fn the_table_sorts_and_the_line_up_changes() -> Result<()> {
         page.wait_for("dialog[open]").await?;
         page.click_css("dialog input[value=tremaux]").await?;
         page.press("Escape").await?;
+        page.wait_for_no("dialog").await?;
         page.wait_until("document.querySelectorAll('.run').length === 4").await?;
         page.press("n").await?;
         page.wait_until("!document.querySelector('#abreast').textContent.startsWith('0.0 of')").await

@@ -80,6 +80,7 @@ async fn tour(page: &Page, name: &str, look: &mut impl AsyncFnMut(&str) -> Resul
         page.press("o").await?;
         page.choose("#explorer-name", title).await?;
         page.press("Escape").await?;
+        page.wait_for_no("dialog").await?;
         page.wait_until(&format!("document.querySelector('#explorer').ariaLabel.includes('{title}')"))
             .await?;
         page.wait_for("#inspector").await?;
