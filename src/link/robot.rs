@@ -30,7 +30,7 @@ pub const ERR_EVERY_MS: u32 = 100;
 /// Time between two `beat` lines.
 pub const BEAT_EVERY_MS: u32 = 1_000;
 /// Time between two `ir` lines.
-pub const IR_EVERY_MS: u32 = 20;
+pub const IR_EVERY_MS: u32 = 10;
 /// An `end` line is told this often in all, a beat apart: noise may swallow one.
 pub const END_TIMES: u8 = 3;
 

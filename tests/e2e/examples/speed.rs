@@ -1,4 +1,5 @@
-//! How quick the page is in this browser: a step, a scrub, opening a large maze. It only prints; `cargo xtask speed` builds the page and runs it.
+//! How quick the page is in this browser: a step, a scrub, opening a large maze, a robot that
+//! tells 100 lines a second. It only prints; `cargo xtask speed` builds the page and runs it.
 
 #![allow(missing_docs, clippy::print_stdout)]
 
@@ -108,9 +109,43 @@ async fn opening(side: u32) -> Result<()> {
     .await
 }
 
+/// How much of each frame the page uses while a robot tells 100 sensor lines a second, and explores.
+async fn telemetry() -> Result<()> {
+    lab(Setup::default().at("connect"), async |page| {
+        page.wait_for("#demo").await?;
+        page.click("Demo robot").await?;
+        page.wait_until("document.querySelector('#tune-line4')?.value === '400'").await?;
+        page.click("I put it back").await?;
+        page.wait_until("!document.querySelector('#explore').disabled").await?;
+        page.click("Explore").await?;
+        page.tools("Performance.enable", json!({})).await?;
+        let spent = async || -> Result<(f64, f64)> {
+            let metrics = page.tools("Performance.getMetrics", json!({})).await?;
+            let of = |name: &str| {
+                let all = metrics["metrics"].as_array().into_iter().flatten();
+                all.filter(|metric| metric["name"] == name).find_map(|metric| metric["value"].as_f64())
+            };
+            let busy = ["ScriptDuration", "RecalcStyleDuration", "LayoutDuration"].into_iter().filter_map(of).sum();
+            Ok((of("Timestamp").context("no time")?, busy))
+        };
+        let frames = "new Promise((done) => { let left = 300; const next = () => (left -= 1) ? requestAnimationFrame(next) : done(300); next(); })";
+        let (begin, before) = spent().await?;
+        page.promised(frames).await?;
+        let (end, after) = spent().await?;
+        println!(
+            "100 lines a second, live run: of a frame of {:.1} ms, script, style and layout take {:.1} ms",
+            (end - begin) / 300.0 * 1e3,
+            (after - before) / 300.0 * 1e3
+        );
+        Ok(())
+    })
+    .await
+}
+
 #[tokio::main(flavor = "current_thread")]
 async fn main() -> Result<()> {
     run_through(60).await?;
     run_through(200).await?;
-    opening(200).await
+    opening(200).await?;
+    telemetry().await
 }

@@ -4,6 +4,7 @@ use std::cell::RefCell;
 use std::time::{Duration, Instant};
 
 use anyhow::{Context, Result, bail};
+use fantoccini::Locator;
 use serde_json::{Value, json};
 
 use crate::root;
@@ -183,9 +184,21 @@ impl Page {
     /// # Errors
     /// If it can't be taken or kept.
     pub async fn screenshot(&self, name: &str) -> Result<()> {
-        let folder = root().join("target/screenshots");
-        std::fs::create_dir_all(&folder)?;
-        let png = self.session.client.screenshot().await?;
-        std::fs::write(folder.join(format!("{name}.png")), png).context("keeping a screenshot")
+        keep(name, &self.session.client.screenshot().await?)
     }
+
+    /// Keeps a picture of one element there.
+    ///
+    /// # Errors
+    /// If there's no such element, or it can't be kept.
+    pub async fn picture(&self, css: &str, name: &str) -> Result<()> {
+        let element = self.session.client.find(Locator::Css(css)).await?;
+        keep(name, &element.screenshot().await?)
+    }
+}
+
+fn keep(name: &str, png: &[u8]) -> Result<()> {
+    let folder = root().join("target/screenshots");
+    std::fs::create_dir_all(&folder)?;
+    std::fs::write(folder.join(format!("{name}.png")), png).context("keeping a picture")
 }

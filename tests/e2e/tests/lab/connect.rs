@@ -1,6 +1,6 @@
 //! The room *Connect* with the demo robot: everything that needs no port.
 
-use anyhow::Result;
+use anyhow::{Context, Result};
 use e2e::{Page, Setup, lab};
 use serde_json::json;
 
@@ -10,7 +10,7 @@ pub(crate) async fn state(page: &Page, word: &str) -> Result<()> {
 }
 
 /// The demo robot, met.
-async fn demo(page: &Page) -> Result<()> {
+pub(crate) async fn demo(page: &Page) -> Result<()> {
     page.wait_for("#demo").await?;
     page.click("Demo robot").await?;
     state(page, "ready").await?;
@@ -20,9 +20,29 @@ async fn demo(page: &Page) -> Result<()> {
 
 /// At 100 times its pace the demo robot would be another one: its time runs as the page's does.
 fn hurried() -> Setup {
-    let script = "const begin = performance.now(), now = performance.now.bind(performance); \
-                  performance.now = () => begin + (now() - begin) * 8;";
-    Setup::default().at("connect").script(script)
+    Setup::default().at("connect").script(format!("{HURRY} window.hurry(8);"))
+}
+
+/// The page's time runs at the pace that `window.hurry` is told.
+pub(crate) const HURRY: &str = "
+    const clock = performance.now.bind(performance);
+    let pace = 1, seen = clock(), shown = seen;
+    performance.now = () => { const now = clock(); shown += (now - seen) * pace; seen = now; return shown; };
+    window.hurry = (times) => { performance.now(); pace = times; };";
+
+/// Bytes that the page holds: its wasm, and what its scripts hold once rubbish is collected.
+async fn held(page: &Page) -> Result<(u64, u64)> {
+    page.tools("HeapProfiler.collectGarbage", json!({})).await?;
+    let memory = json!({ "expression": "WebAssembly.Memory.prototype" });
+    let prototype = page.tools("Runtime.evaluate", memory).await?["result"]["objectId"].take();
+    let all = page.tools("Runtime.queryObjects", json!({ "prototypeObjectId": prototype })).await?["objects"]
+        ["objectId"]
+        .take();
+    let sum = "function() { return this.reduce((sum, memory) => sum + memory.buffer.byteLength, 0); }";
+    let call = json!({ "functionDeclaration": sum, "objectId": all, "returnByValue": true });
+    let wasm = page.tools("Runtime.callFunctionOn", call).await?["result"]["value"].as_u64();
+    let scripts = page.tools("Runtime.getHeapUsage", json!({})).await?["usedSize"].as_f64();
+    Ok((wasm.context("no wasm")?, scripts.context("no heap")? as u64))
 }
 
 /// Explores figure 3.1 to its end.
@@ -171,6 +191,37 @@ async fn the_monitor_shows_sifts_sends_and_pauses() -> Result<()> {
 }
 
 #[tokio::test]
+async fn an_hour_of_telemetry_leaves_the_memory_flat() -> Result<()> {
+    lab(Setup::default().at("connect").script(HURRY), async |page| {
+        demo(page).await?;
+        let minutes = async |minutes: f64| {
+            // Requests want their answers at the usual pace; sensors come at any.
+            page.run("window.hurry(100); window.until = performance.now()").await?;
+            page.wait_until(&format!("performance.now() > window.until + {}", minutes * 60_000.0)).await?;
+            page.run("window.hurry(1)").await
+        };
+        // The log, the plot and the recorder fill their places.
+        minutes(10.0).await?;
+        let (wasm, scripts) = held(page).await?;
+        for _ in 0..5 {
+            minutes(10.0).await?;
+        }
+        let (wasm_after, scripts_after) = held(page).await?;
+        assert!(wasm_after <= wasm * 11 / 10, "wasm: {wasm} bytes became {wasm_after}");
+        assert!(
+            scripts_after <= scripts * 11 / 10 + (1 << 20),
+            "scripts: {scripts} bytes became {scripts_after}"
+        );
+        // It is still the same connection, and it answers.
+        state(page, "ready").await?;
+        page.wait_for_text(".monitor h2", "0 bad").await?;
+        page.click("Read back").await?;
+        page.wait_for_text("#list-robot", "none").await
+    })
+    .await
+}
+
+#[tokio::test]
 async fn leaving_while_it_drives_asks_first() -> Result<()> {
     lab(Setup::default().at("connect"), async |page| {
         demo(page).await?;
@@ -182,18 +233,6 @@ async fn leaving_while_it_drives_asks_first() -> Result<()> {
         page.wait_for_text(".note.guest", "stopped by hand").await?;
         assert_eq!(page.eval(asks).await?, json!(false));
         Ok(())
-    })
-    .await
-}
-
-#[tokio::test]
-async fn without_web_serial_the_panel_says_so_and_the_demo_robot_works() -> Result<()> {
-    let without = "delete Navigator.prototype.serial;";
-    lab(Setup::default().at("connect").script(without), async |page| {
-        state(page, "not available").await?;
-        page.wait_for_text("#cure", "Chrome, Edge or Firefox").await?;
-        page.wait_for_no("#connect").await?;
-        demo(page).await
     })
     .await
 }

@@ -21,6 +21,9 @@ const TROUBLES: &str = "() => {
         const names = wide.map((element) => `${element.tagName}.${element.className?.baseVal ?? element.className}`).slice(0, 12);
         troubles.push(`the page is ${scrollWidth} wide in a window of ${clientWidth}: ${names.join(', ')}`);
     }
+    const { bottom } = document.querySelector('.app').getBoundingClientRect();
+    const empty = document.documentElement.scrollHeight - scrollY - Math.max(bottom, innerHeight);
+    if (empty > 1) troubles.push(`the page goes on for ${empty} below its end`);
     const scrolls = (element) => element && (/auto|scroll/.test(getComputedStyle(element).overflowX)
         && element.scrollWidth > element.clientWidth || scrolls(element.parentElement));
     const controls = 'button, a[href], input, select, textarea, summary, [role=slider], [role=button]';
@@ -116,7 +119,18 @@ async fn tour(page: &Page, name: &str, look: &mut impl AsyncFnMut(&str) -> Resul
     page.screenshot(&format!("walls-{name}")).await?;
     page.press("2").await?;
     page.wait_for("svg.maze.walls[data-stop]").await?;
-    look("walls, stepped").await
+    look("walls, stepped").await?;
+    page.press("3").await?;
+    page.wait_for(".run[data-nth='2']").await?;
+    look("Compare").await?;
+    page.screenshot(&format!("compare-{name}")).await?;
+    page.press("4").await?;
+    page.wait_for("#demo").await?;
+    look("Connect").await?;
+    page.click("Demo robot").await?;
+    page.wait_until("document.querySelectorAll('.log li').length > 30").await?;
+    look("Connect, with a robot").await?;
+    page.screenshot(&format!("connect-{name}")).await
 }
 
 async fn everything_fits(setup: Setup, device: &str) -> Result<()> {
