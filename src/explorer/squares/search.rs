@@ -84,7 +84,7 @@ pub(super) fn nearest(
                 found = Some((here, way));
                 break 'search;
             }
-            let new = u8::from(*mark == BLANK) & beyond / VISITED;
+            let new = u8::from(*mark == BLANK) & (beyond / VISITED);
             *mark |= (MET | way.index()) * new;
             queue[end] = there as u32;
             end += usize::from(new);
