@@ -140,7 +140,6 @@ impl Cornell {
         };
         said.ran(line::ROUTE);
         said.is(case::PLAN);
-        route.reverse();
         let way = route.pop()?;
         self.route = route;
         Some(self.heading.turn_to(way))

@@ -6,8 +6,10 @@ use alloc::vec::Vec;
 
 use super::mind::{Field, Plan};
 
+mod search;
 mod spent;
 
+use search::{BLANK, Queue, nearest};
 use spent::Spent;
 
 use crate::geometry::{Heading, Point, Turn, Ways};
@@ -33,13 +35,6 @@ pub enum Aim<'a> {
     Any(&'a [u32]),
 }
 
-/// Which visited squares a search goes through.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Over {
-    All,
-    Unspent,
-}
-
 /// The map.
 #[derive(Clone, Debug)]
 pub struct Squares {
@@ -47,35 +42,14 @@ pub struct Squares {
     bytes: Vec<u8>,
     /// Which squares can lead to no unvisited one; kept where that is asked for.
     spent: Spent,
-    scratch: Scratch,
-}
-
-/// What a search leaves behind; nothing of it is remembered, so a copy begins with none.
-#[derive(Debug, Default)]
-struct Scratch {
-    /// The search that met a square last, and in the two lowest bits the heading with which it did.
-    met: Vec<u32>,
-    /// Squares to look at: place and column.
-    queue: Vec<(u32, u32)>,
-    search: u32,
-}
-
-/// A square as searches note it: one word, as they look at millions.
-const fn met(search: u32, heading: Heading) -> u32 {
-    search << 2 | heading.index() as u32
-}
-
-impl Clone for Scratch {
-    fn clone(&self) -> Self {
-        Self::default()
-    }
+    queue: Queue,
 }
 
 impl Squares {
     /// A map without a visited square or a wall.
     #[must_use]
     pub fn new(field: Field) -> Self {
-        Self { field, bytes: vec![0; field.squares()], spent: Spent::default(), scratch: Scratch::default() }
+        Self { field, bytes: vec![0; field.squares()], spent: Spent::default(), queue: Queue::default() }
     }
 
     /// The same, for a robot that looks for the nearest unvisited square again and again
@@ -113,26 +87,39 @@ impl Squares {
     pub fn write(&mut self, at: Point, ways: Ways) -> bool {
         let Some(place) = self.place(at) else { return false };
         let before = self.bytes[place];
-        let walls = Ways::ALL.minus(ways).iter().fold(0, |walls, heading| walls | wall(heading));
-        self.bytes[place] = before | walls | VISITED;
+        // Ways have north in the lowest bit, walls in the highest.
+        let walls = Ways::ALL.minus(ways).bits().reverse_bits() >> 4;
+        self.bytes[place] = before | walls | self.edge(at) | VISITED;
         if before & VISITED == 0 {
             self.spent.visited(self.field, &self.bytes, place);
         }
         self.bytes[place] != before
     }
 
-    /// What [`Squares::search`] finds for [`Aim::Unvisited`], without looking into squares that lead nowhere
-    /// new: from those there is one way out, and nothing else on the map changes for leaving them aside.
+    /// The walls at the field's edge; searches rely on them.
+    const fn edge(&self, at: Point) -> u8 {
+        let Field { width, height, .. } = self.field;
+        let (north, east) = (at.y + 1 == height as i32, at.x + 1 == width as i32);
+        (north as u8) << 3 | (east as u8) << 2 | ((at.y == 0) as u8) << 1 | (at.x == 0) as u8
+    }
+
+    /// What [`Squares::search`] finds for [`Aim::Unvisited`], the next heading last, without looking into
+    /// squares that lead nowhere new: from those there is one way out, and nothing else on the map changes for
+    /// leaving them aside.
     pub fn nearest_unvisited(&mut self, from: Point, heading: Heading) -> Option<Vec<Heading>> {
         let mut ways = Vec::new();
         let (mut at, mut by) = (from, heading);
-        while let Some(exit) = self.spent.exit(self.place(at)?) {
+        let place = loop {
+            let place = self.place(at)?;
+            let Some(exit) = self.spent.exit(place) else { break place };
             by = exit?;
             ways.push(by);
             at = at.step(by);
-        }
-        ways.extend(self.search_over(at, by, Aim::Unvisited, Over::Unspent)?);
-        Some(ways)
+        };
+        let Self { field, bytes, spent, queue } = self;
+        let mut route = nearest(*field, bytes, spent.marks(bytes.len()), queue, (place, by), Aim::Unvisited)?;
+        route.extend(ways.into_iter().rev());
+        Some(route)
     }
 
     /// Notes a wall of a square. Whether that was new.
@@ -144,69 +131,22 @@ impl Squares {
     }
 
     /// The headings from a visited square to the nearest one that is meant, over what is known of visited
-    /// squares; breadth first, neighbours as a robot driven there would see them.
-    pub fn search(&mut self, from: Point, heading: Heading, aim: Aim<'_>) -> Option<Vec<Heading>> {
-        self.search_over(from, heading, aim, Over::All)
-    }
-
-    fn search_over(
-        &mut self,
-        from: Point,
-        heading: Heading,
-        aim: Aim<'_>,
-        over: Over,
-    ) -> Option<Vec<Heading>> {
-        let first = self.place(from)?;
-        let Self { field, bytes, spent, scratch } = self;
-        if scratch.met.len() < bytes.len() || scratch.search >> 30 != 0 {
-            scratch.met.clear();
-            scratch.met.resize(bytes.len(), 0);
-            scratch.search = 0;
-        }
-        scratch.search += 1;
-        let search = scratch.search;
-        let meant = |place: usize| match aim {
-            Aim::Unvisited => bytes[place] & VISITED == 0,
-            Aim::Any(places) => places.contains(&(place as u32)),
-        };
-        if meant(first) {
-            return Some(Vec::new());
-        }
-        scratch.met[first] = met(search, heading);
-        scratch.queue.clear();
-        scratch.queue.push((first as u32, from.x as u32));
-        let mut next = 0;
-        while let Some(&(here, x)) = scratch.queue.get(next) {
-            next += 1;
-            let here = here as usize;
-            let by = Heading::from_index(scratch.met[here] as u8 & 0b11);
-            for turn in ORDER {
-                let way = by.turned(turn);
-                if bytes[here] & wall(way) != 0 {
-                    continue;
-                }
-                let Some((there, x)) = beside(*field, here, x, way) else { continue };
-                if scratch.met[there] >> 2 == search {
-                    continue;
-                }
-                scratch.met[there] = met(search, way);
-                let visited = bytes[there] & VISITED != 0;
-                if meant(there) && (visited || aim == Aim::Unvisited) {
-                    return Some(ways_back(*field, &scratch.met, there, x, first));
-                }
-                if visited && (over == Over::All || !spent.is(there)) {
-                    scratch.queue.push((there as u32, x));
-                }
-            }
-        }
-        None
+    /// squares; breadth first, neighbours as a robot driven there would see them. No heading at all
+    /// where that square is meant itself.
+    #[must_use]
+    pub fn search(&self, from: Point, heading: Heading, aim: Aim<'_>) -> Option<Vec<Heading>> {
+        let first = (self.place(from)?, heading);
+        let mut marks = vec![BLANK; self.bytes.len()];
+        let mut ways = nearest(self.field, &self.bytes, &mut marks, &mut Queue::default(), first, aim)?;
+        ways.reverse();
+        Some(ways)
     }
 
     /// The shortest known way from the start to one of these places in the map.
     #[must_use]
     pub fn plan(&self, finishes: &[u32]) -> Option<Plan> {
         let Field { start, heading, .. } = self.field;
-        let ways = self.clone().search(start, heading, Aim::Any(finishes))?;
+        let ways = self.search(start, heading, Aim::Any(finishes))?;
         let mut at = start;
         let mut places = vec![self.field.from_start(at)];
         for way in ways {
@@ -215,29 +155,4 @@ impl Squares {
         }
         Some(Plan::Places(places))
     }
-}
-
-/// The square on one side of another, each as its place (in rows from the north) and its column.
-const fn beside(field: Field, place: usize, x: u32, way: Heading) -> Option<(usize, u32)> {
-    let width = field.width as usize;
-    match way {
-        Heading::North if place >= width => Some((place - width, x)),
-        Heading::East if x + 1 < field.width => Some((place + 1, x + 1)),
-        Heading::South if place + width < field.squares() => Some((place + width, x)),
-        Heading::West if x > 0 => Some((place - 1, x - 1)),
-        Heading::North | Heading::East | Heading::South | Heading::West => None,
-    }
-}
-
-/// The headings along which a search came to a square.
-fn ways_back(field: Field, met: &[u32], mut place: usize, mut x: u32, first: usize) -> Vec<Heading> {
-    let mut ways = Vec::new();
-    while place != first {
-        let way = Heading::from_index(met[place] as u8 & 0b11);
-        ways.push(way);
-        let Some(before) = beside(field, place, x, way.opposite()) else { break };
-        (place, x) = before;
-    }
-    ways.reverse();
-    ways
 }

@@ -11,13 +11,20 @@ use crate::geometry::Heading;
 /// What a search leaves behind; nothing of it is remembered, so a copy begins with none.
 #[derive(Debug, Default)]
 pub(super) struct Nearest {
-    distance: Vec<u64>,
-    /// The search that met a point last.
-    met: Vec<u32>,
-    /// The search that found a point on a shortest way to its target.
-    on_way: Vec<u32>,
+    /// By point; what a search asks for together lies together.
+    notes: Vec<Note>,
     heap: BinaryHeap<Reverse<(u64, u32)>>,
     search: u32,
+}
+
+/// What is noted about a point.
+#[derive(Clone, Copy, Debug, Default)]
+struct Note {
+    distance: u64,
+    /// The search that met it last.
+    met: u32,
+    /// The search that found it on a shortest way to its target.
+    on_way: u32,
 }
 
 impl Clone for Nearest {
@@ -30,12 +37,9 @@ impl Nearest {
     /// The target and the ways to it, the first one last. Of points equally near, it is the one recorded
     /// first; of ways equally short, at each point the first of the paper's order.
     pub(super) fn find(&mut self, map: &Mapping, from: u32) -> Option<(u32, Vec<Heading>)> {
-        if self.met.len() < map.points.len() {
+        if self.notes.len() < map.points.len() {
             // In doubling steps: this runs at every dead end.
-            let room = (2 * map.points.len()).max(64);
-            self.distance.resize(room, 0);
-            self.met.resize(room, 0);
-            self.on_way.resize(room, 0);
+            self.notes.resize((2 * map.points.len()).max(64), Note::default());
         }
         self.search += 1;
         self.heap.clear();
@@ -48,8 +52,9 @@ impl Nearest {
             let way = PREFERENCE.into_iter().find(|&way| {
                 let next = map.points[at as usize].links[usize::from(way.index())];
                 next != NONE
-                    && self.on_way[next as usize] == self.search
-                    && self.distance[next as usize] == self.distance[at as usize] + map.length(at, next)
+                    && self.notes[next as usize].on_way == self.search
+                    && self.notes[next as usize].distance
+                        == self.notes[at as usize].distance + map.length(at, next)
             })?;
             ways.push(way);
             at = map.points[at as usize].links[usize::from(way.index())];
@@ -59,10 +64,9 @@ impl Nearest {
     }
 
     fn meet(&mut self, point: u32, distance: u64) {
-        let place = point as usize;
-        if self.met[place] != self.search || distance < self.distance[place] {
-            self.met[place] = self.search;
-            self.distance[place] = distance;
+        let note = &mut self.notes[point as usize];
+        if note.met != self.search || distance < note.distance {
+            (note.met, note.distance) = (self.search, distance);
             self.heap.push(Reverse((distance, point)));
         }
     }
@@ -71,7 +75,7 @@ impl Nearest {
     /// point with an unexplored way is the one.
     fn settle(&mut self, map: &Mapping) -> Option<u32> {
         while let Some(Reverse((distance, point))) = self.heap.pop() {
-            if distance > self.distance[point as usize] {
+            if distance > self.notes[point as usize].distance {
                 continue;
             }
             if !map.unexplored(point).is_empty() {
@@ -87,15 +91,16 @@ impl Nearest {
     /// Marks all points on shortest ways to the target.
     fn mark(&mut self, map: &Mapping, target: u32) {
         let mut todo = alloc::vec![target];
-        self.on_way[target as usize] = self.search;
+        self.notes[target as usize].on_way = self.search;
         while let Some(point) = todo.pop() {
+            let distance = self.notes[point as usize].distance;
             for before in map.neighbours(point) {
-                let place = before as usize;
-                if self.met[place] == self.search
-                    && self.on_way[place] != self.search
-                    && self.distance[place] + map.length(before, point) == self.distance[point as usize]
+                let note = &mut self.notes[before as usize];
+                if note.met == self.search
+                    && note.on_way != self.search
+                    && note.distance + map.length(before, point) == distance
                 {
-                    self.on_way[place] = self.search;
+                    note.on_way = self.search;
                     todo.push(before);
                 }
             }

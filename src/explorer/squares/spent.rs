@@ -5,13 +5,12 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
-use super::{VISITED, wall};
+use super::VISITED;
+use super::search::{BLANK, WALLED, side, strides};
 use crate::explorer::mind::Field;
 use crate::geometry::Heading;
 
-/// Not filled.
-const LIVE: u8 = 0;
-/// Filled, and no neighbour was left; otherwise one more than the heading of the way out.
+/// A filled square, and no neighbour was left; otherwise one more than the heading of the way out.
 const CLOSED: u8 = 5;
 
 /// A byte a square; none at all where nobody asks.
@@ -22,18 +21,19 @@ pub(super) struct Spent {
 
 impl Spent {
     pub(super) fn new(squares: usize) -> Self {
-        Self { squares: vec![LIVE; squares] }
+        Self { squares: vec![BLANK; squares] }
     }
 
-    /// Whether a square is filled.
-    pub(super) fn is(&self, place: usize) -> bool {
-        self.squares.get(place).is_some_and(|&square| square != LIVE)
+    /// The marks of so many squares: those that are filled have one.
+    pub(super) fn marks(&mut self, squares: usize) -> &mut [u8] {
+        self.squares.resize(squares, BLANK);
+        &mut self.squares
     }
 
     /// Of a filled square the way out, if there is one left.
     pub(super) fn exit(&self, place: usize) -> Option<Option<Heading>> {
-        match self.squares.get(place).copied().unwrap_or(LIVE) {
-            LIVE => None,
+        match self.squares.get(place).copied().unwrap_or(BLANK) {
+            BLANK => None,
             CLOSED => Some(None),
             exit => Some(Some(Heading::from_index(exit - 1))),
         }
@@ -44,29 +44,28 @@ impl Spent {
         if self.squares.is_empty() {
             return;
         }
+        let strides = strides(field);
         for heading in Heading::ALL {
-            if bytes[place] & wall(heading) == 0
-                && let Some(there) = neighbour(field, place, heading)
-            {
-                self.fill(field, bytes, there);
+            let side = side(bytes[place], heading);
+            if side < WALLED {
+                self.fill(strides, bytes, place.wrapping_add(strides[side]));
             }
         }
-        self.fill(field, bytes, place);
+        self.fill(strides, bytes, place);
     }
 
     /// Fills a square if it is a dead end, and what becomes one by that.
-    fn fill(&mut self, field: Field, bytes: &[u8], mut place: usize) {
-        while self.squares[place] == LIVE && bytes[place] & VISITED != 0 {
+    fn fill(&mut self, strides: [usize; 8], bytes: &[u8], mut place: usize) {
+        while self.squares.get(place) == Some(&BLANK) && bytes[place] & VISITED != 0 {
             let mut exit = None;
             for heading in Heading::ALL {
-                if bytes[place] & wall(heading) != 0 {
-                    continue;
-                }
-                let Some(there) = neighbour(field, place, heading) else { continue };
-                if bytes[there] & VISITED == 0 {
+                let side = side(bytes[place], heading);
+                let there = place.wrapping_add(strides[side]);
+                let Some(byte) = bytes.get(there) else { continue };
+                if byte & VISITED == 0 {
                     return;
                 }
-                if self.squares[there] == LIVE && exit.replace((heading, there)).is_some() {
+                if side < WALLED && self.squares[there] == BLANK && exit.replace((heading, there)).is_some() {
                     return;
                 }
             }
@@ -77,16 +76,5 @@ impl Spent {
             self.squares[place] = heading.index() + 1;
             place = there;
         }
-    }
-}
-
-/// The place over an open side of a visited square, in rows from the north. At the field's edge there are walls.
-fn neighbour(field: Field, place: usize, heading: Heading) -> Option<usize> {
-    let width = field.width as usize;
-    match heading {
-        Heading::North => place.checked_sub(width),
-        Heading::East => Some(place + 1).filter(|&there| there < field.squares()),
-        Heading::South => Some(place + width).filter(|&there| there < field.squares()),
-        Heading::West => place.checked_sub(1),
     }
 }
