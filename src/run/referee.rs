@@ -84,7 +84,9 @@ fn drive(maze: &Maze, start: Start, settings: &Settings, name: Name, mut mind: M
     let mut rover = Rover::new(maze, start, cell_ms, halt);
     let mut recorder = Recorder::new(name, maze.bounds(), start, cell_ms);
     let mut referee = Referee::new(maze, start, about);
-    let limit = (maze.cells() as u32).saturating_mul(256).saturating_add(64).min(MOST_STOPS);
+    // Two cells a point are more than there are; counting them would take longer than many a run.
+    let cells = 2 * maze.bounds().len() as u32;
+    let limit = cells.saturating_mul(256).saturating_add(64).min(MOST_STOPS);
     let mut look = rover.look_round();
     let outcome = loop {
         recorder.begin(&mind);

@@ -30,17 +30,19 @@ pub(crate) const HURRY: &str = "
     performance.now = () => { const now = clock(); shown += (now - seen) * pace; seen = now; return shown; };
     window.hurry = (times) => { performance.now(); pace = times; };";
 
+/// Keeps hold of the page's wasm memory, to see how large it is.
+const MEMORY: &str = "
+    const instantiate = WebAssembly.instantiateStreaming;
+    WebAssembly.instantiateStreaming = async (...from) => {
+        const made = await instantiate.apply(WebAssembly, from);
+        window.memory ??= made.instance.exports.memory;
+        return made;
+    };";
+
 /// Bytes that the page holds: its wasm, and what its scripts hold once rubbish is collected.
 async fn held(page: &Page) -> Result<(u64, u64)> {
     page.tools("HeapProfiler.collectGarbage", json!({})).await?;
-    let memory = json!({ "expression": "WebAssembly.Memory.prototype" });
-    let prototype = page.tools("Runtime.evaluate", memory).await?["result"]["objectId"].take();
-    let all = page.tools("Runtime.queryObjects", json!({ "prototypeObjectId": prototype })).await?["objects"]
-        ["objectId"]
-        .take();
-    let sum = "function() { return this.reduce((sum, memory) => sum + memory.buffer.byteLength, 0); }";
-    let call = json!({ "functionDeclaration": sum, "objectId": all, "returnByValue": true });
-    let wasm = page.tools("Runtime.callFunctionOn", call).await?["result"]["value"].as_u64();
+    let wasm = page.eval("window.memory.buffer.byteLength").await?.as_u64();
     let scripts = page.tools("Runtime.getHeapUsage", json!({})).await?["usedSize"].as_f64();
     Ok((wasm.context("no wasm")?, scripts.context("no heap")? as u64))
 }
@@ -192,7 +194,7 @@ async fn the_monitor_shows_sifts_sends_and_pauses() -> Result<()> {
 
 #[tokio::test]
 async fn an_hour_of_telemetry_leaves_the_memory_flat() -> Result<()> {
-    lab(Setup::default().at("connect").script(HURRY), async |page| {
+    lab(Setup::default().at("connect").script(HURRY).script(MEMORY), async |page| {
         demo(page).await?;
         let minutes = async |minutes: f64| {
             // Requests want their answers at the usual pace; sensors come at any.

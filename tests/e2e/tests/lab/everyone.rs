@@ -128,7 +128,7 @@ async fn tour(page: &Page, name: &str, look: &mut impl AsyncFnMut(&str) -> Resul
     page.wait_for("#demo").await?;
     look("Connect").await?;
     page.click("Demo robot").await?;
-    page.wait_until("document.querySelectorAll('.log li').length > 30").await?;
+    page.wait_until("document.querySelectorAll('.log li[data-line]').length > 5").await?;
     look("Connect, with a robot").await?;
     page.screenshot(&format!("connect-{name}")).await
 }
