@@ -20,6 +20,8 @@ const PATIENCE: Duration = Duration::from_secs(10);
 pub enum Bus {
     /// An Arduino Uno on USB, which the page may open without asking.
     Usb,
+    /// The same, but the browser asks.
+    UsbUnknown,
     /// A port without USB ids; the browser asks.
     Other,
 }
@@ -45,7 +47,7 @@ pub(crate) fn preload() -> Option<PathBuf> {
 }
 
 /// Whether a test must not be left out.
-fn on_ci() -> bool {
+pub(crate) fn on_ci() -> bool {
     std::env::var_os("CI").is_some_and(|value| value == "true")
 }
 
@@ -91,13 +93,14 @@ impl Bench {
         Ok(())
     }
 
-    /// Pulls the cable: the bytes end, and the system says that the port has gone.
+    /// Pulls the cable: the bytes end, and the system says that the port has gone. One off USB stays where it is, as
+    /// that of a Bluetooth module does whose robot is away; the permission for one that goes goes with it.
     ///
     /// # Errors
     /// If the bench does not obey.
     pub fn unplug(&mut self) -> Result<()> {
         end(self.robot.take());
-        self.order("unplug")
+        if self.bus == Bus::Other { Ok(()) } else { self.order("unplug") }
     }
 
     /// Plugs it in again, with a robot like this at its end.
@@ -107,12 +110,12 @@ impl Bench {
     pub fn plug(&mut self, robot: &[&str]) -> Result<()> {
         end(self.robot.take());
         self.robot = Some(run_robot(&self.pty, robot)?);
-        self.order("plug")
+        if self.bus == Bus::Other { Ok(()) } else { self.order("plug") }
     }
 
     /// What the browser's profile holds at the beginning: the permission for this origin.
     pub(crate) fn preferences(&self, origin: &str) -> Value {
-        if self.bus == Bus::Other {
+        if self.bus != Bus::Usb {
             return json!({});
         }
         let uno = json!({
@@ -138,7 +141,7 @@ impl Drop for Bench {
     }
 }
 
-fn end(child: Option<Child>) {
+pub(crate) fn end(child: Option<Child>) {
     if let Some(mut child) = child {
         let _ = child.kill();
         let _ = child.wait();
@@ -153,17 +156,23 @@ fn lines_of(from: impl std::io::Read + Send + 'static) -> Receiver<String> {
     receiver
 }
 
-/// `linemaze robot` in figure 3.1, once its terminal is there; with `mute` and maybe seconds, one that hardly speaks.
+/// Robots that are no robots: each a script of this name.
+const OTHERS: [&str; 2] = ["mute", "flood"];
+
+/// `linemaze robot` in figure 3.1 with these arguments, or one of the others; once its terminal is there.
 fn run_robot(pty: &Path, arguments: &[&str]) -> Result<Child> {
     let mut program = named("LINEMAZE").unwrap_or_else(|| root().join("target/debug/linemaze"));
     let mut command = Command::new(&program);
-    if let ["mute", seconds @ ..] = arguments {
-        program = Path::new(env!("CARGO_MANIFEST_DIR")).join("serial/mute.py");
-        command = Command::new("/usr/bin/python3");
-        command.arg(&program).arg(pty).args(seconds);
-    } else {
-        command.args(["robot", "--pty"]).arg(pty).arg("--maze").arg(root().join("mazes/book-3-1.maze"));
-        command.args(arguments);
+    match arguments {
+        [other, rest @ ..] if OTHERS.contains(other) => {
+            program = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("serial/{other}.py"));
+            command = Command::new("/usr/bin/python3");
+            command.arg(&program).arg(pty).args(rest);
+        }
+        _ => {
+            command.args(["robot", "--pty"]).arg(pty).arg("--maze").arg(root().join("mazes/book-3-1.maze"));
+            command.args(arguments);
+        }
     }
     command.stdout(Stdio::null());
     let _ = std::fs::remove_file(pty);
