@@ -1,0 +1,54 @@
+//! The cable pulled and plugged in again.
+
+use anyhow::Result;
+use e2e::Page;
+
+use super::{connect, explore, state, states, with};
+
+/// Everything that a new connection asks has been answered.
+async fn all_read(page: &Page) -> Result<()> {
+    page.wait_until("document.querySelector('#tune-line4')?.value === '400'").await
+}
+
+#[tokio::test]
+async fn a_cable_pulled_in_a_run_is_seen_and_the_robot_found_again() -> Result<()> {
+    with(&[], async |page, bench| {
+        connect(page).await?;
+        state(page, "ready").await?;
+        explore(page).await?;
+        page.wait_for_text(".note.guest", "2 stops").await?;
+        bench.unplug()?;
+        page.wait_for_text(".note.guest", "connection lost").await?;
+        page.wait_for_text("#cure", "plug the cable in again").await?;
+        bench.plug(&[])?;
+        state(page, "ready").await?;
+        page.wait_for_text("#news", "put it back at the start").await?;
+        page.wait_for_text(".note.guest", "connection lost").await?;
+        let states = states(page).await?;
+        assert!(states.contains("running, lost"), "{states}");
+        // What was monitored is kept, and it drives again once it is put back.
+        page.fill("#filter", "run explore").await?;
+        page.wait_until("document.querySelectorAll('.log li[data-line]').length === 1").await?;
+        explore(page).await
+    })
+    .await
+}
+
+#[tokio::test]
+async fn a_cable_pulled_in_an_upload_leaves_the_old_list_or_the_new_one() -> Result<()> {
+    // So slowly that the cable is quicker.
+    with(&["--baud", "9600"], async |page, bench| {
+        page.choose("#rate", "9600 baud").await?;
+        connect(page).await?;
+        state(page, "ready").await?;
+        all_read(page).await?;
+        page.run("document.querySelector('#send').click()").await?;
+        bench.unplug()?;
+        page.wait_for_text("#cure", "plug the cable in again").await?;
+        page.wait_for_text("#sent", "old list").await?;
+        bench.plug(&["--baud", "9600"])?;
+        state(page, "ready").await?;
+        page.wait_for_text("#list-robot", "none").await
+    })
+    .await
+}
