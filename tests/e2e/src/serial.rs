@@ -13,7 +13,7 @@ use serde_json::{Value, json};
 
 use crate::{named, root};
 
-const PATIENCE: Duration = Duration::from_secs(10);
+const PATIENCE: Duration = Duration::from_secs(30);
 
 /// Where the port is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -113,17 +113,19 @@ impl Bench {
         if self.bus == Bus::Other { Ok(()) } else { self.order("plug") }
     }
 
-    /// What the browser's profile holds at the beginning: the permission for this origin.
+    /// What the browser's profile holds at the beginning: the permission for this origin; and an empty page, as the
+    /// usual one asks the network for things, and the driver may wait for them in vain.
     pub(crate) fn preferences(&self, origin: &str) -> Value {
-        if self.bus != Bus::Usb {
-            return json!({});
-        }
         let uno = json!({
             "name": "Arduino Uno", "product_id": 0x0043, "serial_number": "LAB0001", "vendor_id": 0x2341,
         });
         let granted = json!({ "last_modified": "13400000000000000", "setting": { "chosen-objects": [uno] } });
         let pattern = format!("{origin},*");
-        json!({ "profile": { "content_settings": { "exceptions": { "serial_chooser_data": { pattern: granted } } } } })
+        let ports = if self.bus == Bus::Usb { json!({ pattern: granted }) } else { json!({}) };
+        json!({
+            "profile": { "content_settings": { "exceptions": { "serial_chooser_data": ports } } },
+            "session": { "restore_on_startup": 4, "startup_urls": ["about:blank"] },
+        })
     }
 
     /// A folder of this bench that goes with it.
@@ -156,22 +158,24 @@ fn lines_of(from: impl std::io::Read + Send + 'static) -> Receiver<String> {
     receiver
 }
 
-/// Robots that are no robots: each a script of this name.
-const OTHERS: [&str; 2] = ["mute", "flood"];
-
-/// `linemaze robot` in figure 3.1 with these arguments, or one of the others; once its terminal is there.
+/// `linemaze robot` in figure 3.1 with these arguments; or `cut WORDS`, the same on a wire that is cut by a line, or
+/// `mute` or `flood`, which are no robots. It is there once its terminal is.
 fn run_robot(pty: &Path, arguments: &[&str]) -> Result<Child> {
-    let mut program = named("LINEMAZE").unwrap_or_else(|| root().join("target/debug/linemaze"));
-    let mut command = Command::new(&program);
+    let program = named("LINEMAZE").unwrap_or_else(|| root().join("target/debug/linemaze"));
+    let maze = root().join("mazes/book-3-1.maze");
+    let scripts = Path::new(env!("CARGO_MANIFEST_DIR")).join("serial");
+    let mut command = Command::new("/usr/bin/python3");
     match arguments {
-        [other, rest @ ..] if OTHERS.contains(other) => {
-            program = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("serial/{other}.py"));
-            command = Command::new("/usr/bin/python3");
-            command.arg(&program).arg(pty).args(rest);
+        ["cut", words] => {
+            command.arg(scripts.join("cut.py")).arg(pty).arg(words);
+            command.arg(&program).args(["robot", "--stdio", "--maze"]).arg(maze);
+        }
+        [other @ ("mute" | "flood"), rest @ ..] => {
+            command.arg(scripts.join(format!("{other}.py"))).arg(pty).args(rest);
         }
         _ => {
-            command.args(["robot", "--pty"]).arg(pty).arg("--maze").arg(root().join("mazes/book-3-1.maze"));
-            command.args(arguments);
+            command = Command::new(&program);
+            command.args(["robot", "--pty"]).arg(pty).arg("--maze").arg(maze).args(arguments);
         }
     }
     command.stdout(Stdio::null());

@@ -1,5 +1,7 @@
 //! Bad wires: faults by seed, and a flood.
 
+use std::time::Duration;
+
 use anyhow::{Context, Result, bail};
 use e2e::{Bus, Page};
 use line_maze_lab::link::monitor::KEPT_LINES;
@@ -29,7 +31,8 @@ async fn send_in_spite_of_all(page: &Page) -> Result<()> {
         } else {
             // It may be taken away at any moment.
             page.run("document.querySelector('#send')?.click()").await?;
-            sent = page.eval("!!document.querySelector('#sent')?.innerText").await? == true;
+            let said = "document.querySelector('#sent')?.innerText";
+            sent = page.comes_true(said, Duration::from_secs(2)).await?;
         }
     }
     bail!("the connection failed too often: {}", page.text("main").await?)
