@@ -25,8 +25,9 @@ impl Screen {
     /// # Errors
     /// On CI without its programs, and where they do not start.
     pub fn start() -> Result<Option<Self>> {
+        // When its last client goes, an X server begins anew, and throws out who is just coming.
         let server = Command::new("Xvfb")
-            .args(["-displayfd", "1", "-screen", "0", "1600x1200x24", "-nolisten", "tcp"])
+            .args(["-displayfd", "1", "-noreset", "-screen", "0", "1600x1200x24", "-nolisten", "tcp"])
             .stdout(Stdio::piped())
             .stderr(Stdio::null())
             .spawn();
