@@ -9,6 +9,8 @@ use anyhow::{Context, Result, bail, ensure};
 
 use crate::serial::{end, on_ci};
 
+/// A browser's window, in pixels.
+pub(crate) const SIZE: (u32, u32) = (1440, 1100);
 const PATIENCE: Duration = Duration::from_secs(30);
 
 /// A screen with a window manager.
@@ -68,6 +70,17 @@ impl Screen {
     pub fn press(&self, keys: &[&str]) -> Result<()> {
         let done = self.hands(&[&["key", "--delay", "60"], keys].concat())?;
         ensure!(done, "xdotool does not press {keys:?}");
+        Ok(())
+    }
+
+    /// Clicks in a window that begins in the screen's corner, low in its middle: below all that the page shows there.
+    ///
+    /// # Errors
+    /// If there's no mouse.
+    pub fn click_low(&self) -> Result<()> {
+        let (x, y) = (SIZE.0 / 2, SIZE.1 - 30);
+        let done = self.hands(&["mousemove", &x.to_string(), &y.to_string(), "click", "1"])?;
+        ensure!(done, "xdotool does not click");
         Ok(())
     }
 

@@ -78,7 +78,12 @@ impl Bench {
         if bus == Bus::Other {
             command.arg("--off-usb");
         }
-        command.env("LD_PRELOAD", library).stdin(Stdio::piped()).stdout(Stdio::piped());
+        // What it mocks goes with the bench.
+        command
+            .env("LD_PRELOAD", library)
+            .env("TMPDIR", &folder)
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped());
         let mut board = command.spawn().context("starting board.py")?;
         let orders = board.stdin.take().context("board.py is deaf")?;
         let answers = lines_of(board.stdout.take().context("board.py is mute")?);
@@ -139,7 +144,9 @@ impl Drop for Bench {
         end(self.robot.take());
         let _ = self.board.kill();
         let _ = self.board.wait();
-        let _ = std::fs::remove_dir_all(&self.folder);
+        for folder in [&self.folder, &self.mocked] {
+            let _ = std::fs::remove_dir_all(folder);
+        }
     }
 }
 

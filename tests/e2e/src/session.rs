@@ -13,7 +13,7 @@ use url::{ParseError, Url};
 
 use crate::driver::Driver;
 use crate::named;
-use crate::screen::Screen;
+use crate::screen::{SIZE, Screen};
 use crate::serial::{Bench, preload};
 use crate::site::Site;
 
@@ -32,7 +32,7 @@ const FLAGS: &[&str] = &[
 /// As it starts where nobody looks.
 const UNSEEN: &[&str] = &["--headless"];
 /// As it starts on a screen.
-const SEEN: &[&str] = &["--ozone-platform=x11", "--window-position=0,0", "--window-size=1440,1100"];
+const SEEN: &[&str] = &["--ozone-platform=x11", "--window-position=0,0"];
 
 /// What a test wants of its browser.
 #[derive(Clone, Debug)]
@@ -192,8 +192,15 @@ impl Session {
             if variables.is_empty() { Driver::shared()? } else { Arc::new(Driver::start(&variables)?) };
         let looks = if setup.display.is_some() { SEEN } else { UNSEEN };
         let mut flags: Vec<String> = [FLAGS, looks].concat().into_iter().map(str::to_owned).collect();
+        if setup.display.is_some() {
+            flags.push(format!("--window-size={},{}", SIZE.0, SIZE.1));
+        }
         if let Some(serial) = &setup.serial {
             flags.push(format!("--user-data-dir={}", serial.profile.display()));
+            // The library that mocks the port has a lock on opening files. A process that the browser starts for the
+            // network opens one before it is a program of its own: now and then it waited for a lock that a thread
+            // held in the browser only, for ever, and no page was loaded.
+            flags.push("--enable-features=NetworkServiceInProcess2".to_owned());
         }
         let mut options = json!({ "args": flags });
         if let Some(chromium) = named("CHROMIUM") {
