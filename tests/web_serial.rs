@@ -59,11 +59,19 @@ fn done(port: &JsValue) -> String {
     done.join(",").into()
 }
 
-async fn wait(ms: i32) {
-    let promise = Promise::new(&mut |done, _| {
-        web_sys::window().unwrap().set_timeout_with_callback_and_timeout_and_arguments_0(&done, ms).unwrap();
-    });
-    JsFuture::from(promise).await.unwrap();
+/// Waits until something holds, ten seconds at most.
+async fn until(so: impl Fn() -> bool) {
+    let window = web_sys::window().unwrap();
+    for _ in 0..1_000 {
+        if so() {
+            return;
+        }
+        let blink = Promise::new(&mut |done, _| {
+            window.set_timeout_with_callback_and_timeout_and_arguments_0(&done, 10).unwrap();
+        });
+        JsFuture::from(blink).await.unwrap();
+    }
+    panic!("it never came about");
 }
 
 type Heard = Rc<RefCell<Vec<Told>>>;
@@ -88,15 +96,15 @@ async fn framing_errors_and_breaks_are_survived() {
     let js = fake();
     let (port, heard) = open(&js).await;
     assert_eq!(port.ids(), Some((0x2341, 0x43)));
+    let mut said = "one ".to_owned();
     tell(&js, "say", "one ");
+    until(|| text(&heard) == said).await;
     for name in ["FramingError", "BreakError", "BufferOverrunError", "ParityError"] {
-        wait(1).await;
         tell(&js, "fail", name);
-        wait(60).await;
-        tell(&js, "say", "more ");
+        tell(&js, "say", name);
+        said.push_str(name);
+        until(|| text(&heard) == said).await;
     }
-    wait(5).await;
-    assert_eq!(text(&heard), "one more more more more ");
 }
 
 #[wasm_bindgen_test]
@@ -104,15 +112,21 @@ async fn it_is_closed_in_the_right_order_and_can_be_opened_again() {
     let js = fake();
     let (port, heard) = open(&js).await;
     port.write(b"hi\n").unwrap();
-    wait(1).await;
+    let written = || {
+        let written: js_sys::Array = Reflect::get(&js, &"written".into()).unwrap().into();
+        String::from(written.join(","))
+    };
+    tell(&js, "say", "ready");
+    until(|| written() == "104,105,10" && text(&heard) == "ready").await;
     port.close().await;
     assert_eq!(done(&js), "open 9600,cancel,close");
     port.close().await;
     port.open(115_200, |_| {}).await.unwrap();
     assert_eq!(done(&js), "open 9600,cancel,close,open 115200");
-    assert_eq!(text(&heard), "");
-    let written: js_sys::Array = Reflect::get(&js, &"written".into()).unwrap().into();
-    assert_eq!(String::from(written.join(",")), "104,105,10");
+    assert_eq!(text(&heard), "ready");
+    // Before anybody reads it, there is nothing to cancel.
+    port.close().await;
+    assert_eq!(done(&js), "open 9600,cancel,close,open 115200,close");
 }
 
 #[wasm_bindgen_test]
@@ -120,12 +134,12 @@ async fn a_device_that_goes_is_told_once() {
     let js = fake();
     let (port, heard) = open(&js).await;
     tell(&js, "say", "at ");
-    wait(1).await;
+    until(|| text(&heard) == "at ").await;
     tell(&js, "vanish", "");
-    wait(60).await;
-    assert_eq!(text(&heard), "at <gone>");
+    until(|| text(&heard) == "at <gone>").await;
     assert!(port.write(b"stop\n").is_err());
     port.close().await;
+    assert_eq!(text(&heard), "at <gone>");
 }
 
 #[wasm_bindgen_test]
@@ -137,9 +151,8 @@ async fn streams_that_somebody_else_holds_are_told() {
         "port.writable.getWriter(); port.fail('BreakError'); port.readable.getReader()",
     );
     locked.call1(&JsValue::NULL, &js).unwrap();
-    wait(60).await;
+    until(|| text(&heard) == "<gone>").await;
     assert!(port.write(b"hi\n").is_err());
-    assert_eq!(text(&heard), "<gone>");
 }
 
 #[wasm_bindgen_test]

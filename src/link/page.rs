@@ -56,10 +56,19 @@ enum Phase {
     Closed,
     Choosing,
     Opening,
-    Waiting { since_ms: u64, his: u8, heard: Heard },
+    /// The last `hi` was said then, after so many others.
+    Waiting {
+        hi_ms: u64,
+        his: u8,
+        heard: Heard,
+    },
     Ready,
     Running,
-    Lost { since_ms: u64, looks: u8, opening: Attempt },
+    Lost {
+        since_ms: u64,
+        looks: u8,
+        opening: Attempt,
+    },
     Failed(Trouble),
 }
 
@@ -103,6 +112,8 @@ pub struct Link {
     sending: Option<Sending>,
     /// An upload that was cut off, until the robot's list is read.
     unsure: Option<Sending>,
+    /// When reading the robot's list was given up last.
+    reading_failed_ms: Option<u64>,
     sent: Sent,
     live: Option<LiveRun>,
     starting: Option<LiveRun>,
@@ -160,6 +171,7 @@ impl Link {
             kept: Kept::Unknown,
             sending: None,
             unsure: None,
+            reading_failed_ms: None,
             sent: Sent::Nothing,
             live: None,
             starting: None,
@@ -270,7 +282,7 @@ impl Link {
     /// Lets time pass. To be called a few times a second, more often while something is sent.
     pub fn tick(&mut self, now_ms: u64) -> Vec<Action> {
         match self.phase {
-            Phase::Waiting { since_ms, his, heard } => self.wait_on(since_ms, his, heard, now_ms),
+            Phase::Waiting { hi_ms, his, heard } => self.wait_on(hi_ms, his, heard, now_ms),
             Phase::Lost { since_ms, looks, opening } => {
                 let due_ms = since_ms + SECOND_MS * (u64::from(looks) + 1);
                 if now_ms >= due_ms && looks >= LOOKS {

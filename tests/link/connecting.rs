@@ -66,6 +66,21 @@ fn nobody_answers() {
 }
 
 #[test]
+fn a_page_that_slept_gives_each_hi_its_second() {
+    let mut bench = bench();
+    bench.to_robot = Box::new(|_| Vec::new());
+    bench.to_page = Box::new(|_| Vec::new());
+    bench.command(Command::Use(USB));
+    // A tab in the background, or a busy computer: nobody was woken for ten seconds.
+    bench.now_ms += 10_000;
+    bench.wait(900);
+    assert_eq!(bench.link.state(), State::Waiting);
+    assert_eq!(bench.sent(0).iter().filter(|line| line.starts_with("hi")).count(), 2);
+    bench.wait(2_200);
+    assert!(matches!(bench.link.state(), State::Failed(_)));
+}
+
+#[test]
 fn rubbish_is_no_robot_and_is_shown() {
     let mut bench = bench();
     bench.to_page = Box::new(|bytes| bytes.into_iter().map(|byte| byte ^ 0xA5).collect());

@@ -2,8 +2,9 @@
 
 use line_maze_lab::link::demo::DemoRobot;
 use line_maze_lab::link::frame::crc8;
+use line_maze_lab::link::keep::Keep;
 use line_maze_lab::link::monitor::KEPT_LINES;
-use line_maze_lab::link::page::{Command, Link, Port, PortEvent, State};
+use line_maze_lab::link::page::{Command, Link, Port, PortEvent, Sent, State};
 use proptest::prelude::*;
 
 use crate::bench::{Bench, USB};
@@ -38,6 +39,32 @@ fn faulty_wires_do_not_stop_the_page() {
             finished += u32::from(bench.link.live().is_some_and(|live| live.stops() > 3));
         }
         assert!(finished > 0, "seed {seed}: {:?}\n{}", bench.link.state(), bench.tail());
+    }
+}
+
+/// A list that is sent over a faulty wire: sooner or later the page says which one the robot holds, and is right.
+#[test]
+fn faulty_wires_never_leave_it_open_which_list_is_kept() {
+    for seed in 0..200 {
+        let mut bench = Bench::new(DemoRobot::new(&figure_3_1(), 0).unwrap().with_faults(seed));
+        bench.command(Command::Use(USB));
+        let mut sent = Sent::Nothing;
+        for second in 0.. {
+            assert!(second < 120, "seed {seed}: {sent:?} {:?}\n{}", bench.link.state(), bench.tail());
+            match bench.link.state() {
+                State::Failed(_) => bench.command(Command::Use(USB)),
+                State::Ready if sent == Sent::Nothing => bench.command(Command::Send("SSR".parse().unwrap())),
+                _ => {}
+            }
+            bench.wait(1_000);
+            sent = bench.link.snapshot().sent;
+            if let Sent::New | Sent::Old | Sent::Differs = sent {
+                break;
+            }
+        }
+        let list = Keep::open(bench.robot.eeprom().unwrap().clone()).list().map(|list| list.upload.len);
+        let expected = if list == Some(3) { Sent::New } else { Sent::Old };
+        assert_eq!(sent, expected, "seed {seed}: {list:?}\n{}", bench.tail());
     }
 }
 

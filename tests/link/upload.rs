@@ -115,6 +115,21 @@ fn the_answers_are_lost() {
 }
 
 #[test]
+fn a_reading_that_failed_is_done_again() {
+    // The commit comes through, no answer to it, and none to the reading that would settle it.
+    let mut bench = with_old();
+    let before = bench.actions.len();
+    bench.command(Command::Send(NEW.parse().unwrap()));
+    bench.until_so(|bench| bench.sent(before).iter().any(|line| line.starts_with("turns commit")));
+    bench.to_page = Box::new(|_| Vec::new());
+    bench.wait(3_100);
+    assert_eq!(bench.link.snapshot().sent, Sent::Unsure);
+    bench.to_page = Box::new(|bytes| bytes);
+    bench.wait(2_000);
+    page_knows(&bench, "heard again");
+}
+
+#[test]
 fn stop_cuts_an_upload_and_tells_which_list_is_kept() {
     for after_ms in (0..80).step_by(5) {
         let mut bench = with_old();

@@ -4,7 +4,8 @@ use super::super::live::{Errand, LiveRun};
 use super::super::request::Request;
 use super::job::sealed;
 use super::{
-    DEADLINE_MS, Job, Kept, Link, MOST_JOBS, News, Pending, Phase, SILENCE_MS, Sending, Sent, TRIES,
+    DEADLINE_MS, Job, Kept, Link, MOST_JOBS, News, Pending, Phase, SECOND_MS, SILENCE_MS, Sending, Sent,
+    TRIES,
 };
 use super::{Trouble, hearing::Coming};
 use crate::route::TurnList;
@@ -113,8 +114,17 @@ impl Link {
             Some(pending) if pending.tries < TRIES => self.put_again(now_ms),
             Some(pending) => self.give_up(pending.job, now_ms),
             None if now_ms >= self.heard_ms + SILENCE_MS => self.queue.push_front(Job::Hi),
+            // The robot is there, and which list it holds is still to be told.
+            None if self.owes_a_reading(now_ms) => self.queue.push_back(Job::ReadTurns),
             None => {}
         }
+    }
+
+    /// An upload was cut off, and the reading that was to settle it too: that is done again, now and then.
+    fn owes_a_reading(&self, now_ms: u64) -> bool {
+        self.unsure.is_some()
+            && self.kept == Kept::Unknown
+            && self.reading_failed_ms.is_some_and(|ms| now_ms >= ms + SECOND_MS)
     }
 
     pub(super) fn give_up(&mut self, job: Job, now_ms: u64) {
@@ -130,6 +140,7 @@ impl Link {
             // Which list it holds stays open until it is read at last.
             Job::ReadTurns => {
                 self.kept = Kept::Unknown;
+                self.reading_failed_ms = Some(now_ms);
                 self.cut_upload();
             }
             Job::Watch(_) | Job::ReadNodes | Job::Get(_) | Job::Set(..) | Job::Stop | Job::Place => {}

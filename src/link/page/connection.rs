@@ -24,7 +24,7 @@ impl Link {
     pub(super) fn opened(&mut self, now_ms: u64) {
         self.decoder = Decoder::new();
         self.robot_ms = None;
-        self.phase = Phase::Waiting { since_ms: now_ms, his: 0, heard: Heard::Nothing };
+        self.phase = Phase::Waiting { hi_ms: now_ms, his: 0, heard: Heard::Nothing };
         self.say_hi(now_ms);
     }
 
@@ -37,12 +37,13 @@ impl Link {
         self.write(bytes, now_ms);
     }
 
-    pub(super) fn wait_on(&mut self, since_ms: u64, his: u8, heard: Heard, now_ms: u64) {
-        if now_ms < since_ms + BOOT_WAIT_MS + SECOND_MS * u64::from(his) {
+    /// Each `hi` has its whole second, also where the page was not woken for a while.
+    pub(super) fn wait_on(&mut self, hi_ms: u64, his: u8, heard: Heard, now_ms: u64) {
+        if now_ms < hi_ms + if his == 0 { BOOT_WAIT_MS } else { SECOND_MS } {
             return;
         }
         if his < HIS {
-            self.phase = Phase::Waiting { since_ms, his: his + 1, heard };
+            self.phase = Phase::Waiting { hi_ms: now_ms, his: his + 1, heard };
             self.say_hi(now_ms);
         } else {
             self.fail(Trouble::NoAnswer { baud: self.baud, heard }, now_ms);

@@ -1,7 +1,9 @@
 #!/usr/bin/python3
 """board.py PTY [--off-usb]: this computer, as the browser sees it, has an Arduino Uno (or a port off USB) on
 /dev/ttyACM0 whose bytes are those of the pseudo-terminal PTY. Start it with
-LD_PRELOAD=libumockdev-preload.so.0; it prints the folder for UMOCKDEV_DIR, then takes `plug` and `unplug`."""
+LD_PRELOAD=libumockdev-preload.so.0; it prints the folder for UMOCKDEV_DIR, then takes `plug` and `unplug` of
+what is on USB."""
+import errno
 import os
 import struct
 import sys
@@ -15,7 +17,6 @@ TIOCEXCL, TIOCMGET, TIOCMBIS, TIOCMBIC, TIOCMSET = 0x540C, 0x5415, 0x5416, 0x541
 DTR, RTS, CTS, CAR, DSR = 0x2, 0x4, 0x20, 0x40, 0x100
 
 USB = "/sys/devices/pci0000:00/0000:00:14.0/usb1/1-1/1-1:1.0/tty/ttyACM0"
-PLATFORM = "/sys/devices/platform/serial8250/tty/ttyACM0"
 
 
 def description(off_usb):
@@ -30,10 +31,12 @@ def description(off_usb):
 
 
 class Lines:
-    """The modem's lines: opening a port fails where nobody answers for them."""
+    """The modem's lines: opening a port fails where nobody answers for them. And who has the port for itself: to
+    root, the kernel would give it twice."""
 
     def __init__(self):
         self.out = DTR | RTS
+        self.owner = None
 
     def handle(self, _, client):
         request = client.get_request()
@@ -43,13 +46,20 @@ class Lines:
             (bits,) = struct.unpack("I", bytes(client.get_arg().resolve(0, 4).retrieve()))
             now = {TIOCMBIS: self.out | bits, TIOCMBIC: self.out & ~bits, TIOCMSET: bits}
             self.out = now[request] & (DTR | RTS)
+        elif request == TIOCEXCL and self.is_taken():
+            client.complete(-1, errno.EBUSY)
+            return True
         else:
             if request == TIOCEXCL:
+                self.owner = client
                 self.out = DTR | RTS
             client.complete(*client.execute())
             return True
         client.complete(0, 0)
         return True
+
+    def is_taken(self):
+        return self.owner is not None and self.owner.get_connected()
 
 
 def main():
@@ -69,7 +79,7 @@ def main():
     def told(*_):
         word = sys.stdin.readline().strip()
         if word in ("plug", "unplug"):
-            testbed.uevent(PLATFORM if off_usb else USB, "add" if word == "plug" else "remove")
+            testbed.uevent(USB, "add" if word == "plug" else "remove")
         elif not word:
             os._exit(0)
         print("done " + word, flush=True)

@@ -1,9 +1,8 @@
 #!/usr/bin/python3
-"""mute.py PTY [SECONDS]: a pseudo-terminal at PTY whose robot says nothing at all, or only `ready`, so many
-seconds after it was first spoken to."""
+"""mute.py PTY [HIS]: a pseudo-terminal at PTY whose robot says nothing at all; or nothing until it has heard so
+many `hi`: from then on it says who it is, and refuses everything else."""
 import os
 import sys
-import time
 import tty
 
 
@@ -16,17 +15,35 @@ def crc8(data):
     return crc
 
 
+def lines(robot):
+    rest = b""
+    while True:
+        *whole, rest = (rest + os.read(robot, 4096)).split(b"\n")
+        yield from (line for line in whole if line)
+
+
 def main():
     robot, page = os.openpty()
     tty.setraw(page)
+    # The link comes last: whoever waits for it finds all the rest.
     os.symlink(os.ttyname(page), sys.argv[1])
-    os.read(robot, 1)
-    if len(sys.argv) > 2:
-        time.sleep(float(sys.argv[2]))
-        line = b"ready 1 late-1 uno 30 400"
+    wanted = int(sys.argv[2]) if len(sys.argv) > 2 else None
+
+    def say(line):
         os.write(robot, b"%s*%02X\n" % (line, crc8(line)))
-    while os.read(robot, 4096):
-        pass
+
+    his = 0
+    for line in lines(robot):
+        tag = line.partition(b"*")[0].split()[-1]
+        is_hi = line.startswith(b"hi")
+        his += is_hi
+        if wanted is None or his < wanted:
+            continue
+        if is_hi:
+            say(b"ready 1 late-1 uno 30 400")
+            say(b"ok " + tag)
+        else:
+            say(b"err " + tag + b" verb not known")
 
 
 main()

@@ -71,6 +71,17 @@ impl Page {
         self.wait_for_start().await
     }
 
+    /// Closes this tab, and goes to the one that is left.
+    ///
+    /// # Errors
+    /// If none is left.
+    pub async fn close_tab(&self) -> Result<()> {
+        let client = &self.session.client;
+        client.close_window().await?;
+        let left = client.windows().await?.into_iter().next().context("no tab is left")?;
+        Ok(client.switch_to_window(left).await?)
+    }
+
     async fn wait_for_start(&self) -> Result<()> {
         self.wait_until("!document.getElementById('loading') && !!document.querySelector('main')").await
     }
@@ -143,6 +154,21 @@ impl Page {
         let text = self.text("body").await.unwrap_or_default();
         let text: String = text.chars().take(800).collect();
         bail!("it never happened that {expression}\nThe page says:\n{text}")
+    }
+
+    /// Whether an expression comes to hold within this time, for what may be tried again.
+    ///
+    /// # Errors
+    /// If the browser doesn't tell.
+    pub async fn comes_true(&self, expression: &str, within: Duration) -> Result<bool> {
+        let start = Instant::now();
+        loop {
+            let value = self.eval(&format!("!!({expression})")).await?;
+            if value == true || start.elapsed() > within {
+                return Ok(value == true);
+            }
+            tokio::time::sleep(BLINK).await;
+        }
     }
 
     /// Waits until an element's text contains words, whatever letters the style makes capital.

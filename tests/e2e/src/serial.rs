@@ -13,13 +13,15 @@ use serde_json::{Value, json};
 
 use crate::{named, root};
 
-const PATIENCE: Duration = Duration::from_secs(10);
+const PATIENCE: Duration = Duration::from_secs(30);
 
 /// Where the port is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Bus {
     /// An Arduino Uno on USB, which the page may open without asking.
     Usb,
+    /// The same, but the browser asks.
+    UsbUnknown,
     /// A port without USB ids; the browser asks.
     Other,
 }
@@ -45,7 +47,7 @@ pub(crate) fn preload() -> Option<PathBuf> {
 }
 
 /// Whether a test must not be left out.
-fn on_ci() -> bool {
+pub(crate) fn on_ci() -> bool {
     std::env::var_os("CI").is_some_and(|value| value == "true")
 }
 
@@ -76,7 +78,12 @@ impl Bench {
         if bus == Bus::Other {
             command.arg("--off-usb");
         }
-        command.env("LD_PRELOAD", library).stdin(Stdio::piped()).stdout(Stdio::piped());
+        // What it mocks goes with the bench.
+        command
+            .env("LD_PRELOAD", library)
+            .env("TMPDIR", &folder)
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped());
         let mut board = command.spawn().context("starting board.py")?;
         let orders = board.stdin.take().context("board.py is deaf")?;
         let answers = lines_of(board.stdout.take().context("board.py is mute")?);
@@ -91,13 +98,14 @@ impl Bench {
         Ok(())
     }
 
-    /// Pulls the cable: the bytes end, and the system says that the port has gone.
+    /// Pulls the cable: the bytes end, and the system says that the port has gone. One off USB stays where it is, as
+    /// that of a Bluetooth module does whose robot is away; the permission for one that goes goes with it.
     ///
     /// # Errors
     /// If the bench does not obey.
     pub fn unplug(&mut self) -> Result<()> {
         end(self.robot.take());
-        self.order("unplug")
+        if self.bus == Bus::Other { Ok(()) } else { self.order("unplug") }
     }
 
     /// Plugs it in again, with a robot like this at its end.
@@ -107,20 +115,22 @@ impl Bench {
     pub fn plug(&mut self, robot: &[&str]) -> Result<()> {
         end(self.robot.take());
         self.robot = Some(run_robot(&self.pty, robot)?);
-        self.order("plug")
+        if self.bus == Bus::Other { Ok(()) } else { self.order("plug") }
     }
 
-    /// What the browser's profile holds at the beginning: the permission for this origin.
+    /// What the browser's profile holds at the beginning: the permission for this origin; and an empty page, as the
+    /// usual one asks the network for things, and the driver may wait for them in vain.
     pub(crate) fn preferences(&self, origin: &str) -> Value {
-        if self.bus == Bus::Other {
-            return json!({});
-        }
         let uno = json!({
             "name": "Arduino Uno", "product_id": 0x0043, "serial_number": "LAB0001", "vendor_id": 0x2341,
         });
         let granted = json!({ "last_modified": "13400000000000000", "setting": { "chosen-objects": [uno] } });
         let pattern = format!("{origin},*");
-        json!({ "profile": { "content_settings": { "exceptions": { "serial_chooser_data": { pattern: granted } } } } })
+        let ports = if self.bus == Bus::Usb { json!({ pattern: granted }) } else { json!({}) };
+        json!({
+            "profile": { "content_settings": { "exceptions": { "serial_chooser_data": ports } } },
+            "session": { "restore_on_startup": 4, "startup_urls": ["about:blank"] },
+        })
     }
 
     /// A folder of this bench that goes with it.
@@ -134,11 +144,13 @@ impl Drop for Bench {
         end(self.robot.take());
         let _ = self.board.kill();
         let _ = self.board.wait();
-        let _ = std::fs::remove_dir_all(&self.folder);
+        for folder in [&self.folder, &self.mocked] {
+            let _ = std::fs::remove_dir_all(folder);
+        }
     }
 }
 
-fn end(child: Option<Child>) {
+pub(crate) fn end(child: Option<Child>) {
     if let Some(mut child) = child {
         let _ = child.kill();
         let _ = child.wait();
@@ -153,17 +165,25 @@ fn lines_of(from: impl std::io::Read + Send + 'static) -> Receiver<String> {
     receiver
 }
 
-/// `linemaze robot` in figure 3.1, once its terminal is there; with `mute` and maybe seconds, one that hardly speaks.
+/// `linemaze robot` in figure 3.1 with these arguments; or `cut WORDS`, the same on a wire that is cut by a line, or
+/// `mute` or `flood`, which are no robots. It is there once its terminal is.
 fn run_robot(pty: &Path, arguments: &[&str]) -> Result<Child> {
-    let mut program = named("LINEMAZE").unwrap_or_else(|| root().join("target/debug/linemaze"));
-    let mut command = Command::new(&program);
-    if let ["mute", seconds @ ..] = arguments {
-        program = Path::new(env!("CARGO_MANIFEST_DIR")).join("serial/mute.py");
-        command = Command::new("/usr/bin/python3");
-        command.arg(&program).arg(pty).args(seconds);
-    } else {
-        command.args(["robot", "--pty"]).arg(pty).arg("--maze").arg(root().join("mazes/book-3-1.maze"));
-        command.args(arguments);
+    let program = named("LINEMAZE").unwrap_or_else(|| root().join("target/debug/linemaze"));
+    let maze = root().join("mazes/book-3-1.maze");
+    let scripts = Path::new(env!("CARGO_MANIFEST_DIR")).join("serial");
+    let mut command = Command::new("/usr/bin/python3");
+    match arguments {
+        ["cut", words] => {
+            command.arg(scripts.join("cut.py")).arg(pty).arg(words);
+            command.arg(&program).args(["robot", "--stdio", "--maze"]).arg(maze);
+        }
+        [other @ ("mute" | "flood"), rest @ ..] => {
+            command.arg(scripts.join(format!("{other}.py"))).arg(pty).args(rest);
+        }
+        _ => {
+            command = Command::new(&program);
+            command.args(["robot", "--pty"]).arg(pty).arg("--maze").arg(maze).args(arguments);
+        }
     }
     command.stdout(Stdio::null());
     let _ = std::fs::remove_file(pty);

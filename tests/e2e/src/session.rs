@@ -13,12 +13,12 @@ use url::{ParseError, Url};
 
 use crate::driver::Driver;
 use crate::named;
+use crate::screen::{SIZE, Screen};
 use crate::serial::{Bench, preload};
 use crate::site::Site;
 
 /// As the tests' Chromium starts everywhere, also as root in a container.
 const FLAGS: &[&str] = &[
-    "--headless",
     "--no-sandbox",
     "--disable-gpu",
     "--disable-dev-shm-usage",
@@ -28,6 +28,11 @@ const FLAGS: &[&str] = &[
     "--disable-component-update",
     "--disable-sync",
 ];
+
+/// As it starts where nobody looks.
+const UNSEEN: &[&str] = &["--headless"];
+/// As it starts on a screen.
+const SEEN: &[&str] = &["--ozone-platform=x11", "--window-position=0,0"];
 
 /// What a test wants of its browser.
 #[derive(Clone, Debug)]
@@ -40,6 +45,7 @@ pub struct Setup {
     pub(crate) expected: Vec<&'static str>,
     pub(crate) arrives: bool,
     pub(crate) serial: Option<Serial>,
+    pub(crate) display: Option<String>,
 }
 
 /// A browser with a mocked serial port: what it is started with.
@@ -61,6 +67,7 @@ impl Default for Setup {
             expected: Vec::new(),
             arrives: true,
             serial: None,
+            display: None,
         }
     }
 }
@@ -136,6 +143,13 @@ impl Setup {
         Ok(self)
     }
 
+    /// On a screen, with all that the browser shows beside the page.
+    #[must_use]
+    pub fn on(mut self, screen: &Screen) -> Self {
+        self.display = Some(screen.display().to_owned());
+        self
+    }
+
     /// Where the page can't be expected to start.
     #[must_use]
     pub const fn never_arrives(mut self) -> Self {
@@ -172,13 +186,21 @@ pub(crate) struct Session {
 
 impl Session {
     pub(crate) async fn start(setup: &Setup) -> Result<Self> {
-        let driver = match &setup.serial {
-            None => Driver::shared()?,
-            Some(serial) => Arc::new(Driver::start(&serial.variables)?),
-        };
-        let mut flags: Vec<String> = FLAGS.iter().map(|&flag| flag.to_owned()).collect();
+        let mut variables = setup.serial.as_ref().map_or_else(Vec::new, |serial| serial.variables.clone());
+        variables.extend(setup.display.as_ref().map(|display| ("DISPLAY", PathBuf::from(display))));
+        let driver =
+            if variables.is_empty() { Driver::shared()? } else { Arc::new(Driver::start(&variables)?) };
+        let looks = if setup.display.is_some() { SEEN } else { UNSEEN };
+        let mut flags: Vec<String> = [FLAGS, looks].concat().into_iter().map(str::to_owned).collect();
+        if setup.display.is_some() {
+            flags.push(format!("--window-size={},{}", SIZE.0, SIZE.1));
+        }
         if let Some(serial) = &setup.serial {
             flags.push(format!("--user-data-dir={}", serial.profile.display()));
+            // The library that mocks the port has a lock on opening files. A process that the browser starts for the
+            // network opens one before it is a program of its own: now and then it waited for a lock that a thread
+            // held in the browser only, for ever, and no page was loaded.
+            flags.push("--enable-features=NetworkServiceInProcess2".to_owned());
         }
         let mut options = json!({ "args": flags });
         if let Some(chromium) = named("CHROMIUM") {
