@@ -1,7 +1,9 @@
 //! From closed to ready, and every way in which that goes wrong.
 
 use line_maze_lab::link::demo::DemoRobot;
-use line_maze_lab::link::page::{Action, Command, Heard, News, OpenError, Port, PortEvent, State, Trouble};
+use line_maze_lab::link::page::{
+    Action, Command, Heard, Link, News, OpenError, Port, PortEvent, State, Trouble,
+};
 
 use crate::bench::{Bench, Opening, USB};
 use crate::support::figure_3_1;
@@ -133,4 +135,14 @@ fn without_web_serial_there_is_still_the_demo_robot() {
     assert_eq!(bench.link.state(), State::Absent);
     bench.command(Command::Use(Port::Demo));
     bench.until(State::Ready);
+}
+
+#[test]
+fn what_was_told_of_a_connection_is_over_with_the_next() {
+    let mut link = Link::new(0, 0);
+    link.command(Command::Choose, 0);
+    link.port_event(PortEvent::Cancelled, 10);
+    assert_eq!(link.notes().next_back().unwrap().news, News::NothingChosen);
+    link.command(Command::Use(USB), 20);
+    assert!(link.notes().next().is_none());
 }

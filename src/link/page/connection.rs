@@ -15,6 +15,8 @@ impl Link {
     }
 
     pub(super) fn open(&mut self, port: Port) {
+        // What was told of the connection before is over.
+        self.notes.clear();
         self.port = Some(port);
         self.phase = Phase::Opening;
         self.lost_before = LostBefore::No;
@@ -103,8 +105,8 @@ impl Link {
     pub(super) fn change_rate(&mut self, baud: u32, now_ms: u64) {
         let from = core::mem::replace(&mut self.baud, baud);
         if let (Phase::Failed(Trouble::NoAnswer { .. }), Some(port)) = (self.phase, self.port) {
-            self.note(News::NextRate { from, to: baud }, now_ms);
             self.open(port);
+            self.note(News::NextRate { from, to: baud }, now_ms);
         }
     }
 }

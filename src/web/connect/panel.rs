@@ -55,7 +55,7 @@ pub fn Connection() -> impl IntoView {
                         (true, _) => view! { <button class="btn" id="disconnect" on:click=mouse(move |_| wire.command(Command::Disconnect))>"Disconnect"</button> }.into_any(),
                         (false, State::Absent) => ().into_any(),
                         (false, _) => view! {
-                            <button class="btn primary" id="connect" disabled=state.get() == State::Choosing on:click=mouse(move |_| wire.command(Command::Choose))>"Choose a port…"</button>
+                            <button class="btn primary" id="connect" disabled=state.get() == State::Choosing on:click=mouse(move |_| wire.command(Command::Choose))>"Connect…"</button>
                         }.into_any(),
                     })}
                     {part(move || (!open()).then(|| view! {
@@ -157,7 +157,7 @@ fn Known() -> impl IntoView {
                 {known.into_iter().enumerate().map(|(index, port)| view! {
                     <li>
                         <button class="btn" on:click=mouse(move |_| wire.use_known(index))>
-                            {format!("Connect to {}", usb::name(port))}<span class="small">{usb::ids(port)}</span>
+                            {format!("Use {}", usb::name(port))}<span class="small">{usb::ids(port)}</span>
                         </button>
                     </li>
                 }).collect_view()}

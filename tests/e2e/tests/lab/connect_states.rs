@@ -62,7 +62,7 @@ async fn every_state_says_what_it_is_and_what_cures_it() -> Result<()> {
         shows(page, "closed", "not connected", "No robot is connected").await?;
 
         page.run("window.list = () => new Promise((_, cancel) => { window.cancel = cancel; })").await?;
-        page.click("Choose a port…").await?;
+        page.click("Connect…").await?;
         shows(page, "choosing", "choosing a port", "Choose the robot’s port").await?;
         page.run("window.cancel(new DOMException('', 'NotFoundError'))").await?;
         shows(page, "cancelled", "not connected", "No port was chosen").await?;

@@ -63,7 +63,7 @@ async fn a_port_is_chosen_in_the_browsers_list_and_known_from_then_on() -> Resul
         state(page, "ready").await?;
         page.wait_for_text("#port", "Arduino Uno").await?;
         page.reload().await?;
-        page.wait_for_text(".known", "Connect to Arduino Uno").await
+        page.wait_for_text(".known", "Use Arduino Uno").await
     })
     .await
 }
