@@ -113,7 +113,7 @@ impl Setup {
     pub fn stored(self, key: &str, value: &str) -> Self {
         let (key, value) = (json!(format!("line-maze-lab/{key}")), json!(value));
         self.script(format!(
-            "if (!sessionStorage.stored) {{ sessionStorage.stored = 1; localStorage.setItem({key}, {value}); }}"
+            "if (!sessionStorage[{key}]) {{ sessionStorage[{key}] = 1; localStorage.setItem({key}, {value}); }}"
         ))
     }
 
