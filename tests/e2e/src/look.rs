@@ -6,11 +6,12 @@ use serde_json::{Value, json};
 use crate::Page;
 
 impl Page {
-    /// An element's text as it is shown.
+    /// An element's text as it is shown, once it is there.
     ///
     /// # Errors
     /// If there's no such element.
     pub async fn text(&self, css: &str) -> Result<String> {
+        self.wait_for(css).await?;
         let text = self.call("(css) => document.querySelector(css)?.innerText", &[json!(css)]).await?;
         Ok(text.as_str().with_context(|| format!("there's no {css}"))?.to_owned())
     }
@@ -26,11 +27,12 @@ impl Page {
         Ok(texts.as_array().into_iter().flatten().map(text).collect())
     }
 
-    /// An element's attribute.
+    /// An element's attribute, once the element is there.
     ///
     /// # Errors
     /// If there's no such element or attribute.
     pub async fn attribute(&self, css: &str, name: &str) -> Result<String> {
+        self.wait_for(css).await?;
         let get = "(css, name) => document.querySelector(css)?.getAttribute(name)";
         let value = self.call(get, &[json!(css), json!(name)]).await?;
         Ok(value.as_str().with_context(|| format!("there's no {name} at {css}"))?.to_owned())

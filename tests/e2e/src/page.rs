@@ -151,8 +151,8 @@ impl Page {
             tokio::time::sleep(BLINK).await;
         }
         value?;
-        let text = self.text("body").await.unwrap_or_default();
-        let text: String = text.chars().take(800).collect();
+        let text = self.eval("document.body.innerText").await.unwrap_or_default();
+        let text: String = text.as_str().unwrap_or_default().chars().take(800).collect();
         bail!("it never happened that {expression}\nThe page says:\n{text}")
     }
 
