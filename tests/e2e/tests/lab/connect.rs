@@ -117,6 +117,26 @@ async fn a_run_is_followed_live_in_the_stepper() -> Result<()> {
 }
 
 #[tokio::test]
+async fn where_robot_and_page_first_disagree_is_marked() -> Result<()> {
+    lab(hurried(), async |page| {
+        demo(page).await?;
+        // The robot takes places a cell and a half apart for one; the page does not.
+        page.fill("#tune-epsilon", "1000").await?;
+        page.click("Send settings").await?;
+        page.wait_for_text("#news", "epsilon = 1000: done").await?;
+        explore(page).await?;
+        page.wait_for_text(".note.guest", "At stop 2 the page decides otherwise").await?;
+        page.wait_for_text(".diff", "node 2").await?;
+        page.click("Go to stop 2").await?;
+        page.wait_for(".live .maze .differs[data-stop='2']").await?;
+        page.fill("#filter", "do ").await?;
+        page.wait_for_text(".log .differs", "the page decides otherwise").await?;
+        page.screenshot("connect-disagreement").await
+    })
+    .await
+}
+
+#[tokio::test]
 async fn a_session_is_saved_and_opened_without_the_robot() -> Result<()> {
     lab(hurried(), async |page| {
         let downloads = page.allow_downloads().await?;

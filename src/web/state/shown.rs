@@ -1,0 +1,103 @@
+//! What can be open on the page: a room, a dialog, a message at the lower edge.
+
+/// The rooms of the lab.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Room {
+    /// Draw a maze.
+    Draw,
+    /// Step through a run.
+    Step,
+    /// Explorers side by side, and the league.
+    Compare,
+    /// A real robot on a serial line.
+    Connect,
+    /// Measurements, in development builds.
+    Bench,
+}
+
+impl Room {
+    /// Its name in the address.
+    #[must_use]
+    pub const fn hash(self) -> &'static str {
+        match self {
+            Self::Draw => "draw",
+            Self::Step => "step",
+            Self::Compare => "compare",
+            Self::Connect => "connect",
+            Self::Bench => "bench",
+        }
+    }
+
+    /// The room of this name.
+    #[must_use]
+    pub fn of_hash(hash: &str) -> Option<Self> {
+        match hash {
+            "draw" => Some(Self::Draw),
+            "step" => Some(Self::Step),
+            "compare" | "league" => Some(Self::Compare),
+            "connect" => Some(Self::Connect),
+            "bench" if crate::web::browser::is_development() => Some(Self::Bench),
+            _ => None,
+        }
+    }
+}
+
+/// What a dialog shows.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Dialog {
+    /// All keys.
+    Keys,
+    /// The glossary, opened at a name.
+    Glossary(Option<&'static str>),
+    /// All errata of the book.
+    Errata,
+    /// A link, its QR code, or a file instead.
+    Share,
+    /// Preference order, epsilon, `NODE_MAX`.
+    Settings,
+    /// A new, empty maze.
+    New,
+    /// Another size for the maze.
+    Resize,
+    /// Title, source and note.
+    About,
+    /// What can be done with a turn list.
+    TurnList,
+    /// A maze as text, to be pasted.
+    Paste,
+    /// All samples.
+    Samples,
+    /// Who is compared; the Compare room's own.
+    Lineup,
+}
+
+/// A short message at the lower edge.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Toast {
+    /// What it is about; may be empty.
+    pub title: String,
+    /// What happened, and the cure.
+    pub text: String,
+    /// Whether it is an error.
+    pub tone: ToastTone,
+    /// What can be done at once.
+    pub action: Option<ToastAction>,
+}
+
+/// How a toast is meant.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ToastTone {
+    /// Something was done.
+    Info,
+    /// Something cannot be done.
+    Error,
+}
+
+/// A toast's button.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ToastAction {
+    /// Takes back the last edit.
+    Undo,
+    /// Uses the new version of the page.
+    Update,
+}
