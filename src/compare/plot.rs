@@ -98,7 +98,7 @@ pub fn histogram_words(bars: &[Bar]) -> String {
 /// let draws: Draws = [9, 9, 12, 18].into_iter().zip(1..).map(|(cells, seed)| Draw { seed, route_cells: Some(cells) }).collect();
 /// assert_eq!(
 ///     draws_words(&draws, Some(9)),
-///     "Half are 9 cells or shorter. 2 of 4 random orders find the shortest; the worst route is 2.0 × as long."
+///     "Half are 9 cells or shorter. 2 of 4 random orders find the shortest; the worst route is 2.0\u{a0}× as long."
 /// );
 /// ```
 #[must_use]
@@ -112,7 +112,7 @@ pub fn draws_words(draws: &Draws, shortest: Option<u32>) -> String {
     if let Some(shortest) = shortest.filter(|&cells| cells > 0) {
         let _ = write!(
             words,
-            " {} of {} random orders find the shortest; the worst route is {:.1} × as long.",
+            " {} of {} random orders find the shortest; the worst route is {:.1}\u{a0}× as long.",
             draws.at_most(shortest),
             solved + failed,
             f64::from(worst) / f64::from(shortest)

@@ -11,9 +11,11 @@ use crate::compare::forks::{Fork, letter};
 use crate::compare::words;
 use crate::explorer::name::Name;
 use crate::geometry::{Heading, Point};
+use crate::maze::Kind;
 use crate::scene::Pose;
 use crate::web::maze_view::Bot;
 use crate::web::paths::{self, UNIT};
+use crate::web::step::walled;
 use crate::web::{browser, icons};
 
 /// About as many pixels wide is a picture.
@@ -96,7 +98,8 @@ fn Picture(nth: usize, name: Name) -> impl IntoView {
                 <button class="btn icon quiet" aria-label=format!("Open {} in Step, at this moment", letter(nth)) title="Open in Step, at this moment"
                     on:click=mouse(move |_| open_in_stepper(desk.lab, name, stop.get_untracked()))>{icons::open()}</button>
             </h2>
-            <svg class="maze" viewBox=sig(move || view_box(desk)) role="img" aria-label=sig(label)>
+            <svg class="maze" class:walls=sig(move || desk.lab.maze.with(|maze| maze.kind == Kind::Wall)) viewBox=sig(move || view_box(desk)) role="img" aria-label=sig(label)>
+                <path class="solid" d=sig(move || desk.lab.maze.with(|maze| walled::solid(maze, None))) />
                 <path class="tape" d=sig(move || tape(desk)) />
                 <path class="remembered" d=sig(move || trail(desk, nth, stop.get(), Shown::Driven)) />
                 <path class="crossed" stroke="url(#small-crosses)" d=sig(move || trail(desk, nth, stop.get(), Shown::Crossed)) />
@@ -118,7 +121,9 @@ fn view_box(desk: Desk) -> String {
         let bounds = maze.bounds();
         let (sw, ne) = (bounds.sw(), bounds.ne());
         let (w, h) = ((ne.x - sw.x) * UNIT, (ne.y - sw.y) * UNIT);
-        let margin = 36 + w.max(h) / 40;
+        // Walls stand half a cell further out.
+        let walls = if maze.kind == Kind::Wall { UNIT / 2 } else { 0 };
+        let margin = 36 + w.max(h) / 40 + walls;
         format!("{} {} {} {}", sw.x * UNIT - margin, -ne.y * UNIT - margin, w + 2 * margin, h + 2 * margin)
     })
 }
@@ -133,7 +138,7 @@ fn pixel(desk: Desk) -> f64 {
 fn tape(desk: Desk) -> String {
     desk.lab.maze.with(|maze| {
         let bounds = maze.bounds();
-        paths::cells((bounds.sw(), bounds.ne()), |at, heading| maze.has_line(at, heading))
+        paths::drawn(maze, (bounds.sw(), bounds.ne()))
     })
 }
 

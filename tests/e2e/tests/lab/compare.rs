@@ -47,6 +47,21 @@ async fn three_run_abreast_and_one_is_opened() -> Result<()> {
 }
 
 #[tokio::test]
+async fn a_maze_of_walls_is_compared_as_walls() -> Result<()> {
+    lab(Setup::default().at("draw"), async |page| {
+        page.wait_for("#drawing").await?;
+        page.click_css("#drawn-as button:nth-child(2)").await?;
+        page.wait_for("#drawing svg.walls").await?;
+        page.press("3").await?;
+        page.wait_until("document.querySelectorAll('.run svg.maze.walls').length === 3").await?;
+        page.press("End").await?;
+        page.wait_until("document.querySelector('.run[data-nth=\"0\"]').dataset.stop === '25'").await?;
+        page.screenshot("compare-walls").await
+    })
+    .await
+}
+
+#[tokio::test]
 async fn the_table_sorts_and_the_line_up_changes() -> Result<()> {
     compare_room("compare", async |page| {
         let first = "document.querySelector('.results tbody .open').innerText";
