@@ -13,7 +13,7 @@ use crate::Page;
 pub struct Downloads(PathBuf);
 
 impl Downloads {
-    /// A downloaded text, when it's there.
+    /// A downloaded text, when it's there and whole.
     ///
     /// # Errors
     /// If it never comes.
@@ -21,18 +21,19 @@ impl Downloads {
         Ok(String::from_utf8(self.bytes(name).await?)?)
     }
 
-    /// A downloaded file, when it's there.
+    /// A downloaded file, when it's there and whole.
     ///
     /// # Errors
     /// If it never comes.
     pub async fn bytes(&self, name: &str) -> Result<Vec<u8>> {
         let (path, start) = (self.0.join(name), Instant::now());
         while start.elapsed() < Duration::from_secs(10) {
-            // Under its name it's whole; until then it has another.
-            if let Ok(content) = std::fs::read(&path) {
-                return Ok(content);
+            // Chromium holds the name with an empty file, and moves the whole one there in one go. The page
+            // offers no empty files.
+            match std::fs::read(&path) {
+                Ok(content) if !content.is_empty() => return Ok(content),
+                _ => tokio::time::sleep(Duration::from_millis(20)).await,
             }
-            tokio::time::sleep(Duration::from_millis(20)).await;
         }
         let there: Vec<_> = std::fs::read_dir(&self.0)?.flatten().map(|entry| entry.file_name()).collect();
         bail!("{name} was not downloaded; there are {there:?}")
@@ -103,5 +104,28 @@ impl Page {
         let field = self.tools("DOM.querySelector", json!({ "nodeId": root, "selector": css })).await?;
         let files = json!({ "nodeId": field["nodeId"], "files": [path] });
         self.tools("DOM.setFileInputFiles", files).await.map(std::mem::drop)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[tokio::test]
+    async fn a_download_is_read_when_it_is_whole() -> Result<()> {
+        let folder = std::env::temp_dir().join(format!("line-maze-lab-whole-{}", std::process::id()));
+        std::fs::create_dir_all(&folder)?;
+        let downloads = Downloads(folder);
+        std::fs::write(downloads.path("maze.txt"), "")?;
+        let (part, whole) = (downloads.path("maze.txt.crdownload"), downloads.path("maze.txt"));
+        std::fs::write(&part, "o---o")?;
+        let arrives = async {
+            tokio::task::yield_now().await;
+            std::fs::rename(part, whole)
+        };
+        let (read, moved) = tokio::join!(downloads.file("maze.txt"), arrives);
+        moved?;
+        assert_eq!(read?, "o---o");
+        Ok(())
     }
 }
