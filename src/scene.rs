@@ -9,7 +9,10 @@ use crate::maze::Maze;
 use crate::route::Route;
 use crate::trace::{Moment, Row, Trace};
 
+mod names;
 pub mod recorded;
+
+pub use names::{NamePlace, name_place};
 
 /// How a cell of line is shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -16,7 +16,7 @@ use line_maze_lab::run::explore;
 use line_maze_lab::settings::{Order, Settings};
 use line_maze_lab::share::{self, Shared};
 use line_maze_lab::web::storage::{self, Theme};
-use line_maze_lab::web::viewport::{Size, Viewport};
+use line_maze_lab::web::viewport::{Overlays, Size, Viewport};
 use line_maze_lab::web::{paths, rescue};
 use wasm_bindgen::JsCast;
 use wasm_bindgen::prelude::Closure;
@@ -53,6 +53,32 @@ fn a_fitted_lattice_lies_in_the_picture() {
         let (px, py) = view.to_screen(SIZE, f64::from(corner.x), f64::from(corner.y));
         assert!((0.0..=SIZE.w).contains(&px) && (0.0..=SIZE.h).contains(&py));
     }
+}
+
+#[wasm_bindgen_test]
+fn a_fitted_lattice_lies_beside_what_stands_on_the_picture() {
+    for size in [SIZE, Size { w: 364.0, h: 304.0 }, Size { w: 300.0, h: 700.0 }, Size { w: 1200.0, h: 300.0 }]
+    {
+        let over = Overlays::on(size);
+        for (w, h) in [(2, 2), (3, 9), (6, 6), (9, 4), (20, 2), (40, 60), (200, 200)] {
+            let bounds = Bounds::new(Point::new(-1, 3), Point::new(w - 2, h + 2)).unwrap();
+            let view = Viewport::fit_beside(bounds, size, 100.0, over);
+            let place = |at: Point| view.to_screen(size, f64::from(at.x), f64::from(at.y));
+            let ((left, bottom), (right, top)) = (place(bounds.sw()), place(bounds.ne()));
+            assert!(left > 0.0 && right < size.w && top > 0.0 && bottom < size.h, "{w} × {h} in {size:?}");
+            assert!(right < size.w - over.upper.w || top > over.upper.h, "{w} × {h} in {size:?}: upper");
+            assert!(
+                right < size.w - over.lower.w || bottom < size.h - over.lower.h,
+                "{w} × {h} in {size:?}: lower"
+            );
+        }
+    }
+    // Where it's free of them, it stands in the middle, and nothing makes it smaller.
+    let small = Bounds::new(Point::new(0, 0), Point::new(2, 2)).unwrap();
+    assert_eq!(
+        Viewport::fit_beside(small, SIZE, 100.0, Overlays::on(SIZE)),
+        Viewport::fit(small, SIZE, 100.0)
+    );
 }
 
 #[wasm_bindgen_test]

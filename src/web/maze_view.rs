@@ -9,10 +9,10 @@ use wasm_bindgen::prelude::*;
 
 use super::paths::UNIT;
 use super::state::lab;
-use super::viewport::{Size, Viewport};
+use super::viewport::{Overlays, Size, Viewport};
 use crate::geometry::{Heading, Point};
-use crate::maze::{Bounds, Kind};
-use crate::scene::Pose;
+use crate::maze::{Bounds, Kind, Maze};
+use crate::scene::{NamePlace, Pose, name_place};
 
 #[wasm_bindgen]
 extern "C" {
@@ -59,13 +59,14 @@ pub struct Camera {
     moved: RwSignal<Option<Viewport>>,
     most: f64,
     edge: f64,
+    over: fn(Size) -> Overlays,
 }
 
 impl Camera {
     /// A camera on a lattice; a fitted cell is at most `most` pixels.
     #[must_use]
     pub fn new(size: ReadSignal<Size>, bounds: Memo<Bounds>, most: f64) -> Self {
-        Self { size, bounds, moved: RwSignal::new(None), most, edge: 0.0 }
+        Self { size, bounds, moved: RwSignal::new(None), most, edge: 0.0, over: |_| Overlays::default() }
     }
 
     /// The same with so many pixels free at every edge of the picture that shows everything.
@@ -74,10 +75,16 @@ impl Camera {
         Self { edge, ..self }
     }
 
+    /// The same with nothing of the maze under what stands on the picture while it shows everything.
+    #[must_use]
+    pub fn beside_overlays(self) -> Self {
+        Self { over: Overlays::on, ..self }
+    }
+
     fn fitted(self) -> Viewport {
         let Size { w, h } = self.size.get();
         let inner = Size { w: (w - 2.0 * self.edge).max(1.0), h: (h - 2.0 * self.edge).max(1.0) };
-        Viewport::fit(self.bounds.get(), inner, self.most)
+        Viewport::fit_beside(self.bounds.get(), inner, self.most, (self.over)(inner))
     }
 
     /// What the picture shows.
@@ -170,34 +177,60 @@ pub fn ZoomButtons(camera: Camera) -> impl IntoView {
     }
 }
 
-/// A finish point.
-pub fn finish_mark(at: Point, kind: Kind, label: bool, pixel: f64) -> impl IntoView {
+/// A finish point, with its name where one is wanted.
+pub fn finish_mark(maze: &Maze, at: Point, named: bool, pixel: f64) -> AnyView {
     let (x, y) = (at.x * UNIT, -at.y * UNIT);
-    let beside = (f64::from(x) + 24.0 + 6.0 * pixel, f64::from(y));
     view! {
         <rect class="finish" x=x - 18 y=y - 14 width="36" height="28" rx="3" />
-        {label.then(|| finish_label(at, kind, beside, pixel))}
+        {named.then(|| finish_name(maze, at, pixel))}
     }
+    .into_any()
 }
 
 /// The finish's name: beside its mark, or, where walls are all round, below it in its square; there it needs room.
-fn finish_label(at: Point, kind: Kind, beside: (f64, f64), pixel: f64) -> AnyView {
+fn finish_name(maze: &Maze, at: Point, pixel: f64) -> AnyView {
     const ROOMY: f64 = 1.5;
-    let (x, y) = match kind {
-        Kind::Line => beside,
-        Kind::Wall if pixel > ROOMY => return ().into_any(),
-        Kind::Wall => (f64::from(at.x * UNIT) - 19.0 * pixel.max(0.35), f64::from(-at.y * UNIT) + 26.0),
-    };
-    view! { <Label x=x y=y pixel=pixel text="finish" /> }.into_any()
+    match maze.kind {
+        Kind::Line => name(at, name_place(maze.bounds(), maze.ways(at), at), 24.0, pixel, "finish"),
+        Kind::Wall if pixel > ROOMY => ().into_any(),
+        Kind::Wall => {
+            let (x, y) = (f64::from(at.x * UNIT) - 19.0 * pixel.max(0.35), f64::from(-at.y * UNIT) + 26.0);
+            view! { <Label x=x y=y pixel=pixel text="finish" /> }.into_any()
+        }
+    }
+}
+
+/// The name of a lattice point, that many picture units off.
+pub fn name(at: Point, place: NamePlace, off: f64, pixel: f64, text: &'static str) -> AnyView {
+    let (dx, dy) = place.side.vector();
+    // The bot keeps its size in small pictures. Above and below, the middle of the text stands further off.
+    let off = off.max(16.0 * pixel) + if dx == 0 { 11.0 } else { 6.0 } * pixel;
+    let runs = f64::from(place.runs);
+    let along = if dx == 0 { -14.0 * runs } else { f64::from(dx) * off };
+    let (x, y) = (f64::from(at.x * UNIT) + along, f64::from(-at.y * UNIT) - f64::from(dy) * off);
+    view! { <Label x=x y=y pixel=pixel text=text runs=place.runs /> }.into_any()
 }
 
 /// A word beside a place; its size stays the same when the picture is zoomed.
 #[component]
-pub fn Label(x: f64, y: f64, pixel: f64, text: &'static str) -> impl IntoView {
-    let scale = pixel.clamp(0.35, 3.0);
+pub fn Label(
+    x: f64,
+    y: f64,
+    pixel: f64,
+    text: &'static str,
+    /// On to the east (1), to both sides (0), or up to the place from the west (−1).
+    #[prop(default = 1)]
+    runs: i8,
+) -> impl IntoView {
+    let scale = pixel.max(0.35);
+    let anchor = match runs {
+        0 => "middle",
+        1.. => "start",
+        _ => "end",
+    };
     view! {
         <g transform=format!("translate({} {}) scale({})", Decimal(x, 2), Decimal(y, 2), Decimal(scale, 3)) aria-hidden="true">
-            <text class="label" y="5">{text}</text>
+            <text class="label" y="5" text-anchor=anchor>{text}</text>
         </g>
     }
 }

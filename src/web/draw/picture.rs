@@ -8,7 +8,8 @@ use crate::geometry::{Heading, Point};
 use crate::gesture::Doing;
 use crate::maze::checks::Finding;
 use crate::maze::{Bounds, Kind, Start};
-use crate::web::maze_view::{Label, finish_mark};
+use crate::scene::name_place;
+use crate::web::maze_view::{Label, finish_mark, name};
 use crate::web::paths::{self, UNIT};
 
 /// Picture units from the start to its handle.
@@ -143,12 +144,12 @@ fn Finish() -> impl IntoView {
         _ => desk.lab.maze.with(|maze| maze.finish().to_vec()),
     });
     part(move || {
-        let (pixel, kind) = (desk.camera.pixel(), desk.kind());
+        let pixel = desk.camera.pixel();
         points
             .get()
             .into_iter()
             .enumerate()
-            .map(|(i, at)| finish_mark(at, kind, i == 0, pixel))
+            .map(|(i, at)| desk.lab.maze.with(|maze| finish_mark(maze, at, i == 0, pixel)))
             .collect_view()
     })
 }
@@ -170,16 +171,12 @@ fn StartMarker() -> impl IntoView {
                 marker_scale(desk.kind(), desk.camera.pixel())
             )
         };
-        let (x, y) = (f64::from(at.x * UNIT), f64::from(-at.y * UNIT));
-        // Between walls there is no room for a name.
+        // Between walls there is no room for a name; elsewhere it stands off the ring and its handle.
         let label = move || {
             let pixel = desk.camera.pixel();
-            let scale = marker_scale(Kind::Line, pixel);
-            // Beside the ring; not on the line that goes there.
-            let below = if heading == Heading::East { 40.0 * scale } else { 18.0 * scale };
-            let beside = (if heading == Heading::East { 30.0 } else { 42.0 }) * scale + 4.0 * pixel;
+            let place = desk.lab.maze.with(|maze| name_place(maze.bounds(), maze.ways(at).with(heading), at));
             (desk.kind() == Kind::Line)
-                .then(|| view! { <Label x=x + beside y=y + below pixel=pixel text="start" /> })
+                .then(|| name(at, place, HANDLE_ARM * marker_scale(Kind::Line, pixel), pixel, "start"))
         };
         view! {
             <g class="start" transform=place>

@@ -22,7 +22,7 @@ pub fn stage(watched: Watched) -> AnyView {
     let lab = lab();
     let frame = NodeRef::<html::Div>::new();
     let bounds = Memo::new(move |_| lab.maze.with(|maze| maze.bounds()));
-    let camera = Camera::new(size_of(frame), bounds, 100.0);
+    let camera = Camera::new(size_of(frame), bounds, 100.0).beside_overlays();
     let stop = Memo::new(move |_| lab.moment.get().stop);
     let trail = move |times: Times| {
         watched.of(|run| {

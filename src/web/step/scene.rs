@@ -9,7 +9,7 @@ use crate::geometry::{Heading, Point, Ways};
 use crate::ink::CellState;
 use crate::maze::{Kind, Maze};
 use crate::scene::{self, NodeMark, Pose, Trail};
-use crate::web::maze_view::{Bot, Camera, Compass, Label, ZoomButtons, finish_mark, size_of};
+use crate::web::maze_view::{Bot, Camera, Compass, ZoomButtons, finish_mark, name, size_of};
 use crate::web::paths::{self, UNIT};
 use crate::web::played::Played;
 use crate::web::run_view::Run;
@@ -34,7 +34,7 @@ pub fn Stage() -> impl IntoView {
     let lab = lab();
     let frame = NodeRef::<html::Div>::new();
     let bounds = Memo::new(move |_| lab.stage.with(|maze| maze.bounds()));
-    let camera = Camera::new(size_of(frame), bounds, 100.0);
+    let camera = Camera::new(size_of(frame), bounds, 100.0).beside_overlays();
     let stop = Memo::new(move |_| lab.moment.get().stop);
     let drawn = Memo::new(move |_| with_run(lab, |run| draw_trails(run, stop.get())));
     let picture = view! {
@@ -294,11 +294,11 @@ pub fn Ends(
             let finish: Vec<Point> = maze.finish().iter().copied().filter(|&at| known(at)).collect();
             // Between walls there is no room for a name.
             let start = maze.start().filter(|_| maze.kind == Kind::Line).map(|start| {
-                let (x, y) = (f64::from(start.at.x * UNIT), f64::from(-start.at.y * UNIT));
-                view! { <Label x=x + 32.0 + 4.0 * pixel y=y + 6.0 pixel=pixel text="start" /> }
+                let ways = maze.ways(start.at).with(start.heading);
+                name(start.at, scene::name_place(maze.bounds(), ways, start.at), 28.0, pixel, "start")
             });
             view! {
-                {finish.into_iter().enumerate().map(|(i, at)| finish_mark(at, maze.kind, i == 0, pixel)).collect_view()}
+                {finish.into_iter().enumerate().map(|(i, at)| finish_mark(maze, at, i == 0, pixel)).collect_view()}
                 {start}
             }
         })
