@@ -236,7 +236,9 @@ impl fmt::Display for Outcome {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
             Self::Finish => write!(f, "finish reached"),
-            Self::NoFinishReachable => write!(f, "no finish reachable: every line was driven"),
+            Self::NoFinishReachable => {
+                write!(f, "no finish reachable: no way is left that could lead to one")
+            }
             Self::Mapped => write!(f, "everything that can be reached is mapped"),
             Self::Circling { first, again } => write!(
                 f,

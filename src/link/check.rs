@@ -23,6 +23,9 @@ pub trait Wire {
 
     /// Waits so long; everything that came meanwhile.
     fn wait(&mut self, ms: u64) -> Vec<u8>;
+
+    /// The time, from any beginning. A busy computer may wait longer than it was told.
+    fn now_ms(&self) -> u64;
 }
 
 /// Whether a rule is kept.
@@ -81,7 +84,6 @@ struct Talk<'w> {
     wire: &'w mut dyn Wire,
     driving: Driving,
     decoder: Decoder,
-    now_ms: u64,
     tag: u32,
     /// Good lines since the last question.
     came: Vec<Came>,
@@ -96,7 +98,6 @@ pub fn check(wire: &mut dyn Wire, driving: Driving, mut tell: impl FnMut(&Rule, 
         wire,
         driving,
         decoder: Decoder::new(),
-        now_ms: 0,
         tag: 0,
         came: Vec::new(),
         strange: Vec::new(),
@@ -119,14 +120,16 @@ pub fn check(wire: &mut dyn Wire, driving: Driving, mut tell: impl FnMut(&Rule, 
 }
 
 impl Talk<'_> {
-    /// Takes what comes in so many milliseconds.
-    fn listen(&mut self, ms: u64) {
-        let until_ms = self.now_ms + ms;
-        while self.now_ms < until_ms {
-            let bytes = self.wire.wait(5);
-            self.now_ms += 5;
-            for byte in bytes {
+    /// Takes what comes in so many milliseconds, or in more of them: how many it were.
+    fn listen(&mut self, ms: u64) -> u64 {
+        let from_ms = self.wire.now_ms();
+        loop {
+            for byte in self.wire.wait(5) {
                 self.take(byte);
+            }
+            let passed_ms = self.wire.now_ms() - from_ms;
+            if passed_ms >= ms {
+                return passed_ms;
             }
         }
     }
@@ -138,7 +141,7 @@ impl Talk<'_> {
             Heard::Nothing => {}
             Heard::Line(line) if line.sum == Sum::Right && Report::parse(line.body).is_some() => {
                 let body = line.body.into();
-                self.came.push(Came { ms: self.now_ms, body });
+                self.came.push(Came { ms: self.wire.now_ms(), body });
             }
             Heard::Line(line) => self.strange.push(line.body.into()),
             Heard::Bad(_) => self.strange.push(super::monitor::readable(&self.raw)),
@@ -169,13 +172,15 @@ impl Talk<'_> {
 
     /// Waits for an `ok` or `err` with this number.
     fn answer(&mut self, tag: &str, asked: &str) -> Result<Result<String, String>, Broken> {
-        for _ in 0..100 {
+        let asked_ms = self.wire.now_ms();
+        loop {
+            let now_ms = self.wire.now_ms();
             if let Some(found) = self.came.iter().find_map(|line| answer(&line.body, tag)) {
                 return Ok(found);
             }
-            // A long answer may take longer than 500 ms in all, but not without a line.
-            let last_ms = self.came.last().map_or(self.now_ms, |line| line.ms);
-            if self.now_ms > last_ms + 500 {
+            // A long answer may take longer than 500 ms in all, but not without a line; and not for ever.
+            let last_ms = self.came.last().map_or(asked_ms, |line| line.ms);
+            if now_ms > last_ms + 500 || now_ms > asked_ms + 5_000 {
                 break;
             }
             self.listen(10);

@@ -59,7 +59,7 @@ pub enum Request<'a> {
 /// What an upload announces.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Upload {
-    /// Chosen by the page; not that of the list that is kept.
+    /// Chosen by the page, 1 or more; not that of the list that is kept.
     pub id: u16,
     /// In letters.
     pub len: u16,
@@ -164,7 +164,7 @@ impl<'a> Request<'a> {
             "stop" => f.end(Self::Stop).ok_or(Code::Args),
             "place" => f.end(Self::Place).ok_or(Code::Args),
             "nodes" => Self::nodes(&mut f).ok_or(Code::Args),
-            "turns" => Self::turns(&mut f).ok_or(Code::Args),
+            "turns" => Self::turns(&mut f),
             "run" => Self::run(&mut f).ok_or(Code::Args),
             "watch" => Self::watch(&mut f).ok_or(Code::Args),
             "get" => {
@@ -173,7 +173,9 @@ impl<'a> Request<'a> {
             }
             "set" => {
                 let name = Name::parse(&mut f).ok_or(Code::Name)?;
-                f.number().and_then(|value| f.end(Self::Set(name, value))).ok_or(Code::Args)
+                let value: i64 = f.number().ok_or(Code::Args)?;
+                let value = i32::try_from(value).map_err(|_| Code::Range)?;
+                f.end(Self::Set(name, value)).ok_or(Code::Args)
             }
             _ => Err(Code::Verb),
         }
@@ -183,15 +185,21 @@ impl<'a> Request<'a> {
         if f.word()? == "read" { f.end(Self::NodesRead) } else { None }
     }
 
-    fn turns(f: &mut Fields<'a>) -> Option<Self> {
-        let asked = match f.word()? {
-            "begin" => Self::TurnsBegin(Upload { id: f.number()?, len: f.number()?, crc: f.hex16()? }),
-            "data" => Self::TurnsData { id: f.number()?, offset: f.number()?, letters: f.letters()? },
-            "commit" => Self::TurnsCommit { id: f.number()? },
+    fn turns(f: &mut Fields<'a>) -> Result<Self, Code> {
+        let asked = match f.word().ok_or(Code::Args)? {
+            "begin" => {
+                let (id, len) = (within(f, 1)?, within(f, 0)?);
+                Self::TurnsBegin(Upload { id, len, crc: f.hex16().ok_or(Code::Args)? })
+            }
+            "data" => {
+                let (id, offset) = (within(f, 1)?, within(f, 0)?);
+                Self::TurnsData { id, offset, letters: f.letters().ok_or(Code::Args)? }
+            }
+            "commit" => Self::TurnsCommit { id: within(f, 1)? },
             "read" => Self::TurnsRead,
-            _ => return None,
+            _ => return Err(Code::Args),
         };
-        f.end(asked)
+        f.end(asked).ok_or(Code::Args)
     }
 
     fn run(f: &mut Fields<'a>) -> Option<Self> {
@@ -238,6 +246,12 @@ impl<'a> Request<'a> {
         };
         line
     }
+}
+
+/// A number from `least` to 65,535.
+fn within(f: &mut Fields<'_>, least: u16) -> Result<u16, Code> {
+    let number: i64 = f.number().ok_or(Code::Args)?;
+    u16::try_from(number).ok().filter(|&number| number >= least).ok_or(Code::Range)
 }
 
 /// `SRL` and the like, or `random:` and a seed of up to 20 digits.

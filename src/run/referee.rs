@@ -97,6 +97,8 @@ fn drive(maze: &Maze, start: Start, settings: &Settings, name: Name, mut mind: M
             Decision::End(Outcome::Mapped) | Decision::Go(_) => {
                 referee.verdict(stop, at, heading).map_or(decision, Decision::End)
             }
+            // Where no way leaves the start, there is more to say than that the finish is out of reach.
+            Decision::End(Outcome::NoFinishReachable) if referee.stuck => Decision::End(Outcome::Stuck),
             Decision::End(_) => decision,
         };
         recorder.end(look, at, heading, decision, &said);

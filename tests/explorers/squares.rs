@@ -196,3 +196,12 @@ fn cornell_3_by_5() {
     assert_eq!((three.outcome(), three.stops()), (Outcome::Mapped, 16));
     assert_eq!(bytes(&three), ["19 1A 1C", "13 1A 14", "1D 19 16", "11 12 1C", "13 1A 16"]);
 }
+
+#[test]
+fn where_no_way_leaves_the_start_everyone_is_stuck() {
+    let mut alone = field(4, 3, &[(6, 7)]);
+    alone.set_finish(vec![Point::new(2, 1)]);
+    for &name in &Name::ALL[1..] {
+        assert_eq!(recording(&alone, name).outcome(), Outcome::Stuck, "{name}");
+    }
+}

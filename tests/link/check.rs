@@ -10,23 +10,51 @@ struct Rig<F> {
     robot: DemoRobot,
     now_ms: u64,
     spoil: F,
+    /// Longer lists are answered `err full`, as by a robot with less room.
+    longest: u16,
+    refused: Vec<u8>,
 }
 
 impl<F: FnMut(Vec<u8>) -> Vec<u8>> Wire for Rig<F> {
     fn send(&mut self, bytes: &[u8]) {
-        self.robot.bytes_in(bytes, self.now_ms);
+        let text = String::from_utf8_lossy(bytes);
+        let words: Vec<&str> = text.split([' ', '*']).collect();
+        match words[..] {
+            ["turns", "begin", _, len, _, tag, _] if len.parse().is_ok_and(|len: u16| len > self.longest) => {
+                self.refused.extend(sealed(&format!("err {tag} full too long")));
+            }
+            _ => self.robot.bytes_in(bytes, self.now_ms),
+        }
     }
 
     fn wait(&mut self, ms: u64) -> Vec<u8> {
         self.now_ms += ms;
-        (self.spoil)(self.robot.tick(self.now_ms))
+        let mut bytes = std::mem::take(&mut self.refused);
+        bytes.extend(self.robot.tick(self.now_ms));
+        (self.spoil)(bytes)
+    }
+
+    fn now_ms(&self) -> u64 {
+        self.now_ms
     }
 }
 
+fn sealed(body: &str) -> Vec<u8> {
+    format!("{body}*{:02X}\n", line_maze_lab::link::frame::crc8(body.as_bytes())).into_bytes()
+}
+
 fn verdicts(driving: Driving, spoil: impl FnMut(Vec<u8>) -> Vec<u8>) -> Vec<(&'static str, Verdict)> {
+    verdicts_with(driving, u16::MAX, spoil)
+}
+
+fn verdicts_with(
+    driving: Driving,
+    longest: u16,
+    spoil: impl FnMut(Vec<u8>) -> Vec<u8>,
+) -> Vec<(&'static str, Verdict)> {
     let robot = DemoRobot::new(&figure_3_1(), 0).unwrap();
     let mut verdicts = Vec::new();
-    let mut rig = Rig { robot, now_ms: 0, spoil };
+    let mut rig = Rig { robot, now_ms: 0, spoil, longest, refused: Vec::new() };
     check(&mut rig, driving, |rule, verdict| verdicts.push((rule.name, verdict.clone())));
     assert_eq!(verdicts.len(), RULES.len());
     verdicts
@@ -48,8 +76,7 @@ fn saying(from: &'static str, to: &'static str) -> impl FnMut(Vec<u8>) -> Vec<u8
             if byte == b'\n' {
                 let text = String::from_utf8(std::mem::take(&mut line)).unwrap();
                 let body = text.split('*').next().unwrap().replace(from, to);
-                let sum = line_maze_lab::link::frame::crc8(body.as_bytes());
-                out.extend(format!("{body}*{sum:02X}\n").into_bytes());
+                out.extend(sealed(&body));
             }
         }
         out
@@ -60,6 +87,17 @@ fn saying(from: &'static str, to: &'static str) -> impl FnMut(Vec<u8>) -> Vec<u8
 fn the_virtual_robot_keeps_every_rule() {
     for (name, verdict) in verdicts(Driving::Allowed, |bytes| bytes) {
         assert_eq!(verdict, Verdict::Kept, "{name}");
+    }
+}
+
+#[test]
+fn a_robot_with_little_room_keeps_every_rule_too() {
+    for room in [1, 12, 24, 40] {
+        let told: &'static str = Box::leak(format!(" 50 {room}").into_boxed_str());
+        for (name, verdict) in verdicts_with(Driving::Allowed, room, saying(" 50 451", told)) {
+            let tried = room >= 24 || name != "whole";
+            assert!(verdict == Verdict::Kept || !tried, "{name} with room for {room}: {verdict:?}");
+        }
     }
 }
 

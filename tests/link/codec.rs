@@ -1,7 +1,7 @@
 //! Lines and messages: cut anywhere, damaged anywhere, made of anything.
 
 use line_maze_lab::geometry::{Heading, Turn, Ways};
-use line_maze_lab::link::frame::{Decoder, Heard, LineError, MAX_LINE, Sum};
+use line_maze_lab::link::frame::{Decoder, Heard, Line, LineError, MAX_LINE, Sum};
 use line_maze_lab::link::report::{
     Beat, Chose, Code, End, Ended, Ir, Kind, NodeLine, Origin, Reached, Ready, Report, Said,
 };
@@ -48,12 +48,16 @@ fn requests() -> impl Strategy<Value = Request<'static>> {
             Request::Watch(Level::Events),
             Request::Watch(Level::All),
         ]),
-        any::<(u16, u16, u16)>().prop_map(|(id, len, crc)| Request::TurnsBegin(Upload { id, len, crc })),
-        (any::<(u16, u16)>(), letters()).prop_map(|((id, offset), letters)| {
+        (1u16.., any::<(u16, u16)>()).prop_map(|(id, (len, crc))| Request::TurnsBegin(Upload {
+            id,
+            len,
+            crc
+        })),
+        (1u16.., any::<u16>(), letters()).prop_map(|(id, offset, letters)| {
             let letters = Letters::new(Box::leak(letters.into_boxed_str())).unwrap();
             Request::TurnsData { id, offset, letters }
         }),
-        any::<u16>().prop_map(|id| Request::TurnsCommit { id }),
+        (1u16..).prop_map(|id| Request::TurnsCommit { id }),
         orders().prop_map(Request::Explore),
         names().prop_map(Request::Get),
         (names(), any::<i32>()).prop_map(|(name, value)| Request::Set(name, value)),
@@ -109,7 +113,7 @@ fn reports() -> impl Strategy<Value = Report<'static>> {
             crc,
             origin
         }),
-        (any::<(u16, u16)>(), letters()).prop_map(|((id, offset), letters)| {
+        (1u16.., any::<u16>(), letters()).prop_map(|(id, offset, letters)| {
             let letters = Letters::new(Box::leak(letters.into_boxed_str())).unwrap();
             Report::TurnsData { id, offset, letters }
         }),
@@ -170,6 +174,28 @@ fn a_line_too_long_is_told_once_and_dropped() {
     let mut bytes = vec![b'a'; 10 * MAX_LINE];
     bytes.extend(b"\nhi\n");
     assert_eq!(heard(&bytes), [Err(LineError::TooLong), Ok(("hi".to_owned(), Sum::Missing))]);
+}
+
+#[test]
+fn a_number_out_of_its_range_is_told_apart_from_what_is_no_number() {
+    fn code(body: &str) -> Result<Asked<'_>, Code> {
+        Asked::parse(Line { body, sum: Sum::Right }).map_err(|no| no.code)
+    }
+    for line in [
+        "turns begin 0 3 EA59 #1",
+        "turns begin 65536 3 EA59 #1",
+        "turns begin 1 65536 EA59 #1",
+        "turns data 0 0 SRL #1",
+        "turns commit 0 #1",
+        "turns commit -1 #1",
+        "set kp 4294967296 #1",
+    ] {
+        assert_eq!(code(line), Err(Code::Range), "{line}");
+    }
+    for line in ["turns begin x 3 EA59 #1", "turns begin 1 3 EA5 #1", "turns commit #1", "set kp 1e3 #1"] {
+        assert_eq!(code(line), Err(Code::Args), "{line}");
+    }
+    assert!(code("turns begin 65535 0 FFFF #1").is_ok());
 }
 
 #[test]

@@ -18,6 +18,9 @@ pub(crate) fn link_check(args: &LinkCheck, out: &mut impl Write) -> Result<Statu
     struct Line {
         port: Port,
         error: Option<io::Error>,
+        since: Instant,
+        /// There is nothing to wait for where the port is gone: that time passes at once.
+        skipped_ms: u64,
     }
 
     impl Wire for Line {
@@ -28,6 +31,9 @@ pub(crate) fn link_check(args: &LinkCheck, out: &mut impl Write) -> Result<Statu
         }
 
         fn wait(&mut self, ms: u64) -> Vec<u8> {
+            if self.error.is_some() {
+                self.skipped_ms += ms;
+            }
             let until = Instant::now() + Duration::from_millis(ms);
             let mut all = Vec::new();
             while self.error.is_none() {
@@ -42,11 +48,15 @@ pub(crate) fn link_check(args: &LinkCheck, out: &mut impl Write) -> Result<Statu
             }
             all
         }
+
+        fn now_ms(&self) -> u64 {
+            self.since.elapsed().as_millis() as u64 + self.skipped_ms
+        }
     }
 
     let fails = |error: &io::Error| Failure::Message(format!("{}: {error}", args.pty.display()));
     let port = Port::open(&args.pty, args.baud).map_err(|error| fails(&error))?;
-    let mut line = Line { port, error: None };
+    let mut line = Line { port, error: None, since: Instant::now(), skipped_ms: 0 };
     let driving = if args.drive { Driving::Allowed } else { Driving::Forbidden };
     let mut status = Status::Good;
     let mut written = Ok(());

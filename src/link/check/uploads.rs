@@ -10,8 +10,22 @@ use super::super::request::{Request, Upload};
 use super::rules::{Done, broken};
 use super::{Broken, Talk};
 
-/// A list that no maze asks for.
-const LIST: &str = "SRLSRLSRLSRLSRLSRLSRLSRLSRLSRLSRLSRLSRLSRLSRLB";
+/// A list that no maze asks for; a robot that keeps shorter lists gets as much of it as it keeps.
+const LIST: &str = "BRLSRLSRLSRLSRLSRLSRLSRLSRLSRLSRLSRLSRLSRLSRLS";
+
+/// The longest list that the robot keeps, in letters.
+fn most(talk: &mut Talk<'_>) -> Result<u16, Broken> {
+    talk.must(Request::Hi)?;
+    match talk.lines("ready").next().and_then(Report::parse) {
+        Some(Report::Ready(ready)) => Ok(ready.turns),
+        _ => broken("hi without a ready line".into()),
+    }
+}
+
+/// As much of the list as the robot keeps.
+fn list(talk: &mut Talk<'_>) -> Result<&'static str, Broken> {
+    Ok(&LIST[..LIST.len().min(usize::from(most(talk)?))])
+}
 
 fn announce(id: u16, letters: &str) -> Upload {
     Upload { id, len: letters.len() as u16, crc: crc16(letters.bytes()) }
@@ -77,26 +91,26 @@ fn same(talk: &mut Talk<'_>, id: u16, letters: &str) -> Done {
 }
 
 pub(super) fn upload(talk: &mut Talk<'_>) -> Done {
-    let before = read(talk)?;
+    let (list, before) = (list(talk)?, read(talk)?);
     let id = fresh(&before);
-    send(talk, id, LIST)?;
-    same(talk, id, LIST)?;
+    send(talk, id, list)?;
+    same(talk, id, list)?;
     restore(talk, id, before)
 }
 
 pub(super) fn again(talk: &mut Talk<'_>) -> Done {
-    let before = read(talk)?;
+    let (list, before) = (list(talk)?, read(talk)?);
     let id = fresh(&before);
     for _ in 0..2 {
-        talk.must(Request::TurnsBegin(announce(id, LIST)))?;
+        talk.must(Request::TurnsBegin(announce(id, list)))?;
     }
     for _ in 0..2 {
-        data(talk, id, LIST)?;
+        data(talk, id, list)?;
     }
     for _ in 0..3 {
         talk.must(Request::TurnsCommit { id })?;
     }
-    same(talk, id, LIST)?;
+    same(talk, id, list)?;
     restore(talk, id, before)
 }
 
@@ -110,10 +124,15 @@ fn restore(talk: &mut Talk<'_>, id: u16, before: Option<(u16, String)>) -> Done 
 pub(super) fn whole(talk: &mut Talk<'_>) -> Done {
     let Some((kept, letters)) = read(talk)? else { return Err(Broken::NotTried("there is no list")) };
     let id = kept % 9_000 + 1;
+    // The gap after the first letters has to fit.
+    let most = most(talk)?;
+    if most < 24 {
+        return Err(Broken::NotTried("it keeps less than 24 letters"));
+    }
     let other = "RRRRR";
     talk.must_not(Request::TurnsCommit { id: id + 1 }, "no-upload")?;
     // Half of it, then a gap.
-    talk.must(Request::TurnsBegin(Upload { len: 60, ..announce(id, other) }))?;
+    talk.must(Request::TurnsBegin(Upload { len: most.min(60), ..announce(id, other) }))?;
     data(talk, id, other)?;
     same(talk, kept, &letters)?;
     if let Some(piece) = Letters::new("LL") {
@@ -130,11 +149,7 @@ pub(super) fn whole(talk: &mut Talk<'_>) -> Done {
 }
 
 pub(super) fn room(talk: &mut Talk<'_>) -> Done {
-    talk.must(Request::Hi)?;
-    let Some(Report::Ready(ready)) = talk.lines("ready").next().and_then(Report::parse) else {
-        return broken("hi without a ready line".into());
-    };
-    let Some(len) = ready.turns.checked_add(1) else { return Err(Broken::NotTried("it keeps any list")) };
+    let Some(len) = most(talk)?.checked_add(1) else { return Err(Broken::NotTried("it keeps any list")) };
     let id = fresh(&read(talk)?);
     talk.must_not(Request::TurnsBegin(Upload { id, len, crc: 0 }), "full")
 }
