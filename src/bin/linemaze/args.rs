@@ -2,13 +2,16 @@
 
 use std::path::PathBuf;
 
-use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use line_maze_lab::explorer::name::Name;
-use line_maze_lab::maze::generate::Recipe;
-use line_maze_lab::maze::{Kind, MAX_SIDE};
-use line_maze_lab::settings::{self, NODE_MAX, Order, Pace, PaceError, Settings, limits};
-use line_maze_lab::trace::MAX_NODES;
+
+mod generate;
+mod names;
+mod options;
+
+pub(crate) use generate::Generate;
+use names::names;
+pub(crate) use options::Options;
 
 /// Explore line mazes as a robot does that cannot see them: stop by stop, by the algorithm of a book.
 #[derive(Parser)]
@@ -114,67 +117,6 @@ pub(crate) struct Explore {
     pub(crate) settings: Options,
 }
 
-/// What explorers and their robots can be set to.
-#[derive(Args)]
-pub(crate) struct Options {
-    /// Which way is tried first at a node: S, R and L once each; random:SEED draws anew at each choice
-    #[arg(long, value_name = "ORDER", default_value = "SRL")]
-    order: Order,
-    /// Two places nearer than this on both axes are one node [default: the time of half a cell]
-    #[arg(long, value_name = "MS")]
-    epsilon: Option<u32>,
-    /// Nodes that the robot can remember at once
-    #[arg(long, value_name = "N", default_value_t = NODE_MAX, value_parser = clap::value_parser!(u32).range(1..=i64::from(MAX_NODES)))]
-    node_max: u32,
-    /// PAReX: whether the path is cut only two steps back (basic), or anywhere (special case 1)
-    #[arg(long, value_enum, default_value_t)]
-    rule: Rule,
-    /// PAReX: squares that the path can hold, 48 in the article [default: no limit]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
-    path_max: Option<u32>,
-    /// Mapping: how the routes are found on the map
-    #[arg(long, value_enum, default_value_t)]
-    search: Search,
-    /// Millimetres a second on a straight
-    #[arg(long, value_name = "MM_S", default_value_t = Pace::default().speed_mm_s, value_parser = speed)]
-    speed: f64,
-    /// Seconds for a turn of 90°
-    #[arg(long, value_name = "S", default_value_t = Pace::default().turn_s, value_parser = seconds)]
-    turn_s: f64,
-    /// Seconds for turning round
-    #[arg(long, value_name = "S", default_value_t = Pace::default().uturn_s, value_parser = seconds)]
-    uturn_s: f64,
-    /// Seconds that every stop costs besides
-    #[arg(long, value_name = "S", default_value_t = Pace::default().stop_s, value_parser = seconds)]
-    stop_s: f64,
-}
-
-impl Options {
-    /// The settings that the options make.
-    pub(crate) const fn settings(&self) -> Settings {
-        Settings {
-            order: self.order,
-            epsilon_ms: self.epsilon,
-            node_max: self.node_max,
-            pace: Pace {
-                speed_mm_s: self.speed,
-                turn_s: self.turn_s,
-                uturn_s: self.uturn_s,
-                stop_s: self.stop_s,
-            },
-            rule: match self.rule {
-                Rule::Basic => settings::Rule::Basic,
-                Rule::Special1 => settings::Rule::Special1,
-            },
-            path_max: self.path_max,
-            search: match self.search {
-                Search::Dijkstra => settings::Search::Dijkstra,
-                Search::Astar => settings::Search::AStar,
-            },
-        }
-    }
-}
-
 /// What `turns` takes.
 #[derive(Args)]
 pub(crate) struct Turns {
@@ -265,27 +207,6 @@ impl League {
     }
 }
 
-/// The explorers' names, each with its title in the help.
-fn names() -> impl TypedValueParser<Value = Name> {
-    let name = |name: &Name| PossibleValue::new(name.text()).help(name.about().title);
-    PossibleValuesParser::new(Name::ALL.iter().map(name)).try_map(|text| text.parse::<Name>())
-}
-
-#[derive(Clone, Copy, Debug, Default, ValueEnum)]
-enum Rule {
-    Basic,
-    #[default]
-    #[value(name = "special-1")]
-    Special1,
-}
-
-#[derive(Clone, Copy, Debug, Default, ValueEnum)]
-enum Search {
-    #[default]
-    Dijkstra,
-    Astar,
-}
-
 /// What `robot` takes.
 #[derive(Args)]
 pub(crate) struct Robot {
@@ -324,82 +245,4 @@ pub(crate) struct LinkCheck {
     /// The robot may drive: it stands at the start of a line maze, and there is room
     #[arg(long)]
     pub(crate) drive: bool,
-}
-
-/// What `generate` takes.
-#[derive(Args)]
-pub(crate) struct Generate {
-    /// Lattice points from west to east and from south to north, as in 20x12
-    #[arg(long, value_name = "WxH", default_value = "9x6", value_parser = size)]
-    pub(crate) size: Size,
-    /// How many of the links that a tree leaves out become loops: 0 to 1, or 0% to 100%
-    #[arg(long, value_name = "SHARE", default_value = "25%", value_parser = percent)]
-    pub(crate) loops: u8,
-    /// How many of the dead ends are cut back to the next node: 0 to 1, or 0% to 100%
-    #[arg(long, value_name = "SHARE", default_value = "80%", value_parser = percent)]
-    pub(crate) dead_ends: u8,
-    /// Another seed, another maze
-    #[arg(long, value_name = "N", default_value_t = 1)]
-    pub(crate) seed: u64,
-    /// Drawn as lines on the floor, or as walls between squares
-    #[arg(long, value_name = "KIND", value_enum, default_value_t)]
-    pub(crate) kind: Drawn,
-}
-
-impl Generate {
-    /// The recipe that the options make.
-    pub(crate) const fn recipe(&self) -> Recipe {
-        Recipe {
-            width: self.size.width,
-            height: self.size.height,
-            loops_percent: self.loops,
-            dead_ends_cut_percent: self.dead_ends,
-            seed: self.seed,
-            kind: match self.kind {
-                Drawn::Line => Kind::Line,
-                Drawn::Wall => Kind::Wall,
-            },
-        }
-    }
-}
-
-/// Points along the sides.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Size {
-    pub(crate) width: u32,
-    pub(crate) height: u32,
-}
-
-/// How a maze is drawn.
-#[derive(Clone, Copy, Debug, Default, ValueEnum)]
-pub(crate) enum Drawn {
-    #[default]
-    Line,
-    Wall,
-}
-
-fn size(text: &str) -> Result<Size, String> {
-    let side = |text: &str| text.parse().ok().filter(|side| (1..=MAX_SIDE).contains(side));
-    let sides =
-        text.split_once(['x', 'X', '×']).and_then(|(width, height)| Some((side(width)?, side(height)?)));
-    let (width, height) = sides
-        .ok_or(format!("a size is two whole numbers from 1 to {MAX_SIDE} with an x between, as in 20x12"))?;
-    Ok(Size { width, height })
-}
-
-/// A share in whole per cent.
-fn percent(text: &str) -> Result<u8, String> {
-    let (number, whole) = text.strip_suffix('%').map_or((text, 1.0), |number| (number, 100.0));
-    match number.trim().parse::<f64>() {
-        Ok(share) if (0.0..=whole).contains(&share) => Ok((share / whole * 100.0).round() as u8),
-        _ => Err("a share is a number from 0 to 1, as in 0.25, or from 0% to 100%".to_owned()),
-    }
-}
-
-fn speed(text: &str) -> Result<f64, PaceError> {
-    text.parse().map_err(|_| PaceError::Speed).and_then(limits::speed)
-}
-
-fn seconds(text: &str) -> Result<f64, PaceError> {
-    text.parse().map_err(|_| PaceError::Seconds).and_then(limits::seconds)
 }

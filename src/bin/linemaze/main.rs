@@ -1,4 +1,5 @@
-//! The command line: run, trace, compare, check, generate and convert line mazes; be a robot, or check one.
+//! The command line: run, trace, compare, check, generate and convert line mazes, print their turn lists, hold a
+//! league over many; be a robot, or check one.
 
 mod args;
 mod check;
