@@ -12,6 +12,8 @@ use serde_json::{Value, json};
 mod explorers;
 #[path = "cli/many.rs"]
 mod many;
+#[path = "cli/options.rs"]
+mod options;
 #[path = "cli/robot.rs"]
 mod robot;
 
@@ -250,34 +252,6 @@ fn a_start_that_the_robot_cannot_use_is_bad_input() {
         "standard input: The start 1,0 has 2 ways: the bot could not know that it is back there. Put it at the end \
          of a line.\n"
     );
-}
-
-#[test]
-fn arguments_out_of_range_say_what_is_possible() {
-    let cases: [(&[&str], &str); 14] = [
-        (&["--explorer", "third-hand"], "[possible values: book, left-hand, right-hand, "),
-        (&["--order", "SRB"], "an order is S, R and L once each"),
-        (&["--order", "random:"], "random: and a whole number"),
-        (&["--epsilon", "-1"], "unexpected argument '-1'"),
-        (&["--epsilon", "x"], "invalid value 'x' for '--epsilon <MS>'"),
-        (&["--node-max", "0"], "0 is not in 1..=1048575"),
-        (&["--node-max", "1048576"], "1048576 is not in 1..=1048575"),
-        (&["--speed", "0"], "a speed is a number above 0"),
-        (&["--speed", "inf"], "a speed is a number above 0"),
-        (&["--speed", "NaN"], "a speed is a number above 0"),
-        (
-            &["--speed", "0.01"],
-            "--speed 0.01: a cell of 200 mm would take longer than 2000 s; choose 0.1 or more",
-        ),
-        (&["--turn-s", "61"], "from 0 to 60"),
-        (&["--uturn-s=-1"], "from 0 to 60"),
-        (&["--stop-s", "NaN"], "from 0 to 60"),
-    ];
-    for (args, message) in cases {
-        let said = linemaze(&[&["run", FIGURE], args].concat());
-        assert_eq!((said.status, said.out.as_str()), (2, ""), "{args:?}");
-        assert!(said.err.contains(message), "{args:?}: {}", said.err);
-    }
 }
 
 #[test]

@@ -10,6 +10,7 @@ mod names;
 mod options;
 
 pub(crate) use generate::Generate;
+use generate::seed;
 use names::names;
 pub(crate) use options::Options;
 
@@ -163,8 +164,8 @@ pub(crate) struct Compare {
     pub(crate) json: bool,
     /// Instead: this many runs of the book's explorer, each with its own random order; how long are the routes?
     #[arg(long, value_name = "N", conflicts_with_all = ["explorers", "json", "order"],
-        value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
-    pub(crate) random_orders: Option<u64>,
+        allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    pub(crate) random_orders: Option<u32>,
     #[command(flatten)]
     pub(crate) settings: Options,
 }
@@ -179,7 +180,8 @@ pub(crate) struct League {
     #[arg(long)]
     pub(crate) samples: bool,
     /// This many generated mazes, with seeds from --seed on
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true,
+        value_parser = clap::value_parser!(u32).range(1..=100_000))]
     pub(crate) generate: Option<u32>,
     #[command(flatten)]
     pub(crate) recipe: Generate,
@@ -220,16 +222,18 @@ pub(crate) struct Robot {
     #[arg(long, value_name = "FILE")]
     pub(crate) maze: PathBuf,
     /// Lose, flip, double and delay bytes, reset, fall silent and flood, the same way for the same seed
-    #[arg(long, value_name = "SEED")]
+    #[arg(long, value_name = "SEED", allow_negative_numbers = true, value_parser = seed)]
     pub(crate) faults: Option<u64>,
     /// Speak at this rate; on a pseudo-terminal, rubbish comes over unless the other end has set it too
-    #[arg(long, value_name = "BITS_S", value_parser = clap::value_parser!(u32).range(300..=4_000_000))]
+    #[arg(long, value_name = "BITS_S", allow_negative_numbers = true,
+        value_parser = clap::value_parser!(u32).range(300..=4_000_000))]
     pub(crate) baud: Option<u32>,
     /// As behind a Bluetooth module: opening does not reset it, and it is silent until it is spoken to
     #[arg(long)]
     pub(crate) quiet: bool,
     /// Let its time run so many times faster
-    #[arg(long, value_name = "TIMES", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=100))]
+    #[arg(long, value_name = "TIMES", default_value_t = 1, allow_negative_numbers = true,
+        value_parser = clap::value_parser!(u32).range(1..=100))]
     pub(crate) hurry: u32,
 }
 
@@ -240,7 +244,8 @@ pub(crate) struct LinkCheck {
     #[arg(long, value_name = "PATH")]
     pub(crate) pty: PathBuf,
     /// The rate
-    #[arg(long, value_name = "BITS_S", default_value_t = 115_200, value_parser = clap::value_parser!(u32).range(300..=4_000_000))]
+    #[arg(long, value_name = "BITS_S", default_value_t = 115_200, allow_negative_numbers = true,
+        value_parser = clap::value_parser!(u32).range(300..=4_000_000))]
     pub(crate) baud: u32,
     /// The robot may drive: it stands at the start of a line maze, and there is room
     #[arg(long)]

@@ -83,11 +83,11 @@ fn random_orders(
     maze: &Maze,
     settings: &Settings,
     name: &str,
-    count: u64,
+    count: u32,
     out: &mut impl Write,
 ) -> Result<Status, Failure> {
-    let drawn = (1..=count).into_par_iter().progress_with(progress::bar(count));
-    let draws: Result<Vec<_>, _> = drawn.map(|seed| draw(maze, settings, seed)).collect();
+    let drawn = (1..=count).into_par_iter().progress_with(progress::bar(count.into()));
+    let draws: Result<Vec<_>, _> = drawn.map(|seed| draw(maze, settings, seed.into())).collect();
     let draws: Draws = draws.map_err(|why| Failure::Message(format!("{name}: {why}")))?.into_iter().collect();
     let shortest = Bests::of(maze, settings).shortest.map(|best| best.cells);
     let (solved, failed) = draws.counts();

@@ -8,16 +8,16 @@ use line_maze_lab::maze::{Kind, MAX_SIDE};
 #[derive(Args)]
 pub(crate) struct Generate {
     /// Lattice points from west to east and from south to north, as in 20x12
-    #[arg(long, value_name = "WxH", default_value = "9x6", value_parser = size)]
+    #[arg(long, value_name = "WxH", default_value = "9x6", allow_hyphen_values = true, value_parser = size)]
     pub(crate) size: Size,
-    /// How many of the links that a tree leaves out become loops: 0 to 1, or 0% to 100%
-    #[arg(long, value_name = "SHARE", default_value = "25%", value_parser = percent)]
+    /// How many of the links that a tree leaves out become loops: 0 to 1 in steps of 0.01, or 0% to 100%
+    #[arg(long, value_name = "SHARE", default_value = "25%", allow_hyphen_values = true, value_parser = percent)]
     pub(crate) loops: u8,
-    /// How many of the dead ends are cut back to the next node: 0 to 1, or 0% to 100%
-    #[arg(long, value_name = "SHARE", default_value = "80%", value_parser = percent)]
+    /// How many of the dead ends are cut back to the next node: 0 to 1 in steps of 0.01, or 0% to 100%
+    #[arg(long, value_name = "SHARE", default_value = "80%", allow_hyphen_values = true, value_parser = percent)]
     pub(crate) dead_ends: u8,
     /// Another seed, another maze
-    #[arg(long, value_name = "N", default_value_t = 1)]
+    #[arg(long, value_name = "N", default_value_t = 1, allow_negative_numbers = true, value_parser = seed)]
     pub(crate) seed: u64,
     /// Drawn as lines on the floor, or as walls between squares
     #[arg(long, value_name = "KIND", value_enum, default_value_t)]
@@ -65,11 +65,22 @@ fn size(text: &str) -> Result<Size, String> {
     Ok(Size { width, height })
 }
 
-/// A share in whole per cent.
+/// A share in whole per cent; what is between them would be lost.
 fn percent(text: &str) -> Result<u8, String> {
     let (number, whole) = text.strip_suffix('%').map_or((text, 1.0), |number| (number, 100.0));
-    match number.trim().parse::<f64>() {
-        Ok(share) if (0.0..=whole).contains(&share) => Ok((share / whole * 100.0).round() as u8),
-        _ => Err("a share is a number from 0 to 1, as in 0.25, or from 0% to 100%".to_owned()),
+    let percent = match number.trim().parse::<f64>() {
+        Ok(share) if (0.0..=whole).contains(&share) => share / whole * 100.0,
+        _ => return Err("a share is a number from 0 to 1, as in 0.25, or from 0% to 100%".to_owned()),
+    };
+    let nearest = percent.round();
+    // 0.07 times 100 is not quite 7.
+    if (percent - nearest).abs() > 1e-9 {
+        return Err(format!("a share goes in steps of 0.01, which is 1%; the nearest is {nearest}%"));
     }
+    Ok(nearest as u8)
+}
+
+/// What chance begins with.
+pub(super) fn seed(text: &str) -> Result<u64, String> {
+    text.parse().map_err(|_| format!("a seed is a whole number from 0 to {}", u64::MAX))
 }

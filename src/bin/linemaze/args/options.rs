@@ -11,31 +11,36 @@ pub(crate) struct Options {
     #[arg(long, value_name = "ORDER", default_value = "SRL")]
     order: Order,
     /// Two places nearer than this on both axes are one node [default: the time of half a cell]
-    #[arg(long, value_name = "MS")]
+    #[arg(long, value_name = "MS", allow_negative_numbers = true)]
     epsilon: Option<u32>,
     /// Nodes that the robot can remember at once
-    #[arg(long, value_name = "N", default_value_t = NODE_MAX, value_parser = clap::value_parser!(u32).range(1..=i64::from(MAX_NODES)))]
+    #[arg(long, value_name = "N", default_value_t = NODE_MAX, allow_negative_numbers = true,
+        value_parser = clap::value_parser!(u32).range(1..=i64::from(MAX_NODES)))]
     node_max: u32,
     /// PAReX: whether the path is cut only two steps back (basic), or anywhere (special case 1)
     #[arg(long, value_enum, default_value_t)]
     rule: Rule,
     /// PAReX: squares that the path can hold, 48 in the article [default: no limit]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..))]
     path_max: Option<u32>,
     /// Mapping: how the routes are found on the map
     #[arg(long, value_enum, default_value_t)]
     search: Search,
     /// Millimetres a second on a straight
-    #[arg(long, value_name = "MM_S", default_value_t = Pace::default().speed_mm_s, value_parser = speed)]
+    #[arg(long, value_name = "MM_S", default_value_t = Pace::default().speed_mm_s,
+        allow_negative_numbers = true, value_parser = speed)]
     speed: f64,
     /// Seconds for a turn of 90°
-    #[arg(long, value_name = "S", default_value_t = Pace::default().turn_s, value_parser = seconds)]
+    #[arg(long, value_name = "S", default_value_t = Pace::default().turn_s,
+        allow_negative_numbers = true, value_parser = seconds)]
     turn_s: f64,
     /// Seconds for turning round
-    #[arg(long, value_name = "S", default_value_t = Pace::default().uturn_s, value_parser = seconds)]
+    #[arg(long, value_name = "S", default_value_t = Pace::default().uturn_s,
+        allow_negative_numbers = true, value_parser = seconds)]
     uturn_s: f64,
     /// Seconds that every stop costs besides
-    #[arg(long, value_name = "S", default_value_t = Pace::default().stop_s, value_parser = seconds)]
+    #[arg(long, value_name = "S", default_value_t = Pace::default().stop_s,
+        allow_negative_numbers = true, value_parser = seconds)]
     stop_s: f64,
 }
 
