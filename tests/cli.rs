@@ -10,6 +10,8 @@ use serde_json::{Value, json};
 
 #[path = "cli/explorers.rs"]
 mod explorers;
+#[path = "cli/league.rs"]
+mod league;
 #[path = "cli/many.rs"]
 mod many;
 #[path = "cli/options.rs"]

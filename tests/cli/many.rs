@@ -1,8 +1,8 @@
-//! Turn lists, comparisons and the league, from outside.
+//! Turn lists and comparisons, from outside.
 
 use serde_json::{Value, json};
 
-use super::{FIGURE, linemaze, scratch};
+use super::{FIGURE, linemaze};
 
 #[test]
 fn turns_prints_the_list_in_every_form() {
@@ -57,42 +57,4 @@ fn random_orders_are_a_histogram() {
     let run = linemaze(&["run", "mazes/long-way.maze", "--order", order, "--json"]).out;
     let run: Value = serde_json::from_str(&run).unwrap();
     assert_eq!(format!("worst: {}", run["route_cells"]), cells, "a seed can be opened");
-}
-
-#[test]
-fn the_league_runs_over_files_folders_samples_and_generated_mazes() {
-    let (runs, standings) = (scratch("runs.csv"), scratch("standings.csv"));
-    let said = linemaze(&[
-        "league",
-        "mazes",
-        "tests/fixtures/bad/tab.maze",
-        "--generate",
-        "3",
-        "--size",
-        "6x6",
-        "--explorers",
-        "mapping,book",
-        "--csv",
-        runs.to_str().unwrap(),
-        "--standings-csv",
-        standings.to_str().unwrap(),
-    ]);
-    assert_eq!(said.status, 1, "one file could not be read");
-    assert!(said.err.starts_with("tests/fixtures/bad/tab.maze:4:2: "), "{}", said.err);
-    let mazes = std::fs::read_dir("mazes").unwrap().count() + 3;
-    let csv = std::fs::read_to_string(&runs).unwrap();
-    assert!(said.out.starts_with(&format!("{mazes} mazes; medians\nexplorer")), "{}", said.out);
-    assert_eq!(csv.lines().count(), 1 + 2 * mazes);
-    let page = include_str!("../../docs/formats.md");
-    assert!(page.contains(csv.lines().next().unwrap()), "the head is documented");
-    assert!(
-        csv.contains("\nmazes/book-3-1.maze,book,finish,,25,49,9800,4,10,4,28,90,9,4.4,9,4.4,9,4.4,1,1\n"),
-        "{csv}"
-    );
-    assert_eq!(std::fs::read_to_string(&standings).unwrap().lines().count(), 3);
-    let samples = linemaze(&["league", "--explorers", "book"]);
-    assert_eq!((samples.status, samples.err.as_str()), (0, ""));
-    let nothing = linemaze(&["league", "tests/fixtures/bad/tab.maze"]);
-    assert_eq!(nothing.status, 2);
-    assert!(nothing.err.contains("no maze to run in"), "{}", nothing.err);
 }
