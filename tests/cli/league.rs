@@ -73,3 +73,35 @@ fn the_league_gives_the_reasons_that_a_run_gives() {
         people.out
     );
 }
+
+#[test]
+fn the_league_goes_down_into_folders_and_leaves_hidden_files_alone() {
+    let folder = scratch("folders");
+    let _ = std::fs::remove_dir_all(&folder);
+    std::fs::create_dir_all(folder.join("b/deeper")).unwrap();
+    std::fs::create_dir_all(folder.join(".git")).unwrap();
+    for name in ["c.maze", "b/deeper/1.maze", "b/2.maze", "a.maze"] {
+        std::fs::copy("mazes/book-3-1.maze", folder.join(name)).unwrap();
+    }
+    for hidden in [".DS_Store", "b/.hidden.maze", ".git/config"] {
+        std::fs::write(folder.join(hidden), [0, 0, 0, 1]).unwrap();
+    }
+    // A link to where it is would lead down for ever.
+    #[cfg(unix)]
+    std::os::unix::fs::symlink(&folder, folder.join("b/loop")).unwrap();
+    let runs = scratch("folders.csv");
+    let league = |path: &std::path::Path| {
+        let path = path.to_str().unwrap();
+        linemaze(&["league", path, "--explorers", "book", "--csv", runs.to_str().unwrap()])
+    };
+    let said = league(&folder);
+    assert_eq!((said.status, said.err.as_str()), (0, ""));
+    let csv = std::fs::read_to_string(&runs).unwrap();
+    let courses = csv.lines().skip(1).map(|line| line.split(',').next().unwrap());
+    let order = ["a.maze", "b/2.maze", "b/deeper/1.maze", "c.maze"].map(|name| folder.join(name));
+    assert!(courses.eq(order.iter().map(|path| path.to_str().unwrap())), "{csv}");
+    // Who names it means it.
+    let hidden = league(&folder.join(".DS_Store"));
+    assert_eq!(hidden.status, 2);
+    assert!(hidden.err.contains(".DS_Store:"), "{}", hidden.err);
+}

@@ -173,7 +173,8 @@ pub(crate) struct Compare {
 /// What `league` takes.
 #[derive(Args)]
 pub(crate) struct League {
-    /// Maze files of any readable format, and folders of them
+    /// Maze files of any readable format, and folders: every file in them and in their folders, but for names that
+    /// begin with a dot
     #[arg(value_name = "MAZE")]
     pub(crate) mazes: Vec<PathBuf>,
     /// The lab's own samples too; alone, they are the default

@@ -2,7 +2,7 @@
 
 use std::fs;
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use indicatif::ParallelProgressIterator;
 use line_maze_lab::compare::league::{
@@ -13,6 +13,7 @@ use line_maze_lab::maze::generate;
 use rayon::prelude::*;
 
 use crate::compare::decimals;
+use crate::folders::Files;
 use crate::table::{self, number};
 use crate::{Failure, Status, args, files, progress};
 
@@ -52,13 +53,13 @@ fn write(path: &Path, text: &str) -> Result<(), Failure> {
     fs::write(path, text).map_err(|error| Failure::Message(format!("{}: {error}", path.display())))
 }
 
-/// All the mazes, and how many files could not be read; those are named on standard error.
+/// All the mazes, and how many files and folders could not be read; those are named on standard error.
 fn courses(args: &args::League) -> Result<(Vec<Course>, usize), Failure> {
     let mut courses = Vec::new();
-    let mut unreadable = 0;
-    for path in files_in(&args.mazes)? {
-        match files::read(&path) {
-            Ok(maze) => courses.push(Course::File { name: files::name(&path), maze }),
+    let Files { found, mut unreadable, .. } = Files::of(&args.mazes);
+    for path in &found {
+        match files::read(path) {
+            Ok(maze) => courses.push(Course::File { name: files::name(path), maze }),
             Err(Failure::Message(message)) => {
                 unreadable += 1;
                 crate::complain(&message);
@@ -76,29 +77,6 @@ fn courses(args: &args::League) -> Result<(Vec<Course>, usize), Failure> {
         courses.extend(Course::generated(recipe, count));
     }
     Ok((courses, unreadable))
-}
-
-/// The files that are named, and those in the folders that are, by name.
-fn files_in(paths: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {
-    let failed = |path: &Path, error| Failure::Message(format!("{}: {error}", path.display()));
-    let mut found = Vec::new();
-    for path in paths {
-        if path.is_dir() {
-            let entries = fs::read_dir(path).map_err(|error| failed(path, error))?;
-            let mut inside = Vec::new();
-            for entry in entries {
-                let file = entry.map_err(|error| failed(path, error))?.path();
-                if file.is_file() {
-                    inside.push(file);
-                }
-            }
-            inside.sort();
-            found.extend(inside);
-        } else {
-            found.push(path.clone());
-        }
-    }
-    Ok(found)
 }
 
 /// The standings: how many courses were solved, and medians.

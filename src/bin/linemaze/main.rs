@@ -6,6 +6,7 @@ mod check;
 mod compare;
 mod explore;
 mod files;
+mod folders;
 mod league;
 mod link_check;
 mod locate;
