@@ -105,3 +105,22 @@ fn the_league_goes_down_into_folders_and_leaves_hidden_files_alone() {
     assert_eq!(hidden.status, 2);
     assert!(hidden.err.contains(".DS_Store:"), "{}", hidden.err);
 }
+
+#[test]
+fn a_dash_is_standard_output_and_nothing_else_is_written_there() {
+    let league = |more: &[&str]| {
+        linemaze(&[&["league", "mazes/book-3-1.maze", "--explorers", "book,right-hand"], more].concat())
+    };
+    let runs = league(&["--csv", "-"]);
+    assert_eq!((runs.status, runs.err.as_str()), (0, ""));
+    assert!(runs.out.starts_with("course,explorer,outcome,reason,"), "{}", runs.out);
+    assert_eq!(runs.out.lines().count(), 3, "{}", runs.out);
+    let (file, written) = (scratch("beside.csv"), |path| std::fs::read_to_string(path).unwrap());
+    let standings = league(&["--standings-csv", "-", "--csv", file.to_str().unwrap()]);
+    assert!(standings.out.starts_with("explorer,runs,solved,"), "{}", standings.out);
+    assert_eq!((standings.out.lines().count(), written(&file)), (3, runs.out));
+    let both = league(&["--standings-csv", "-", "--csv", "-"]);
+    assert_eq!((both.status, both.out.as_str()), (2, ""));
+    assert!(both.err.contains("write one of them into a file"), "{}", both.err);
+    assert!(!std::path::Path::new("-").exists());
+}

@@ -189,10 +189,10 @@ pub(crate) struct League {
     /// Explorers, with commas between them [default: all]
     #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = names(), hide_possible_values = true)]
     explorers: Vec<Name>,
-    /// Write a line for each run into this file
+    /// Write a line for each run into this file; with - to standard output, instead of the table
     #[arg(long, value_name = "FILE")]
     pub(crate) csv: Option<PathBuf>,
-    /// Write a line for each explorer into this file: medians, quartiles, share solved
+    /// Write a line for each explorer into this file, or with - to standard output: medians, quartiles, share solved
     #[arg(long, value_name = "FILE")]
     pub(crate) standings_csv: Option<PathBuf>,
     #[command(flatten)]

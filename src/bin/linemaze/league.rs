@@ -19,6 +19,13 @@ use crate::{Failure, Status, args, files, progress};
 
 /// `linemaze league`
 pub(crate) fn league(args: &args::League, out: &mut impl Write) -> Result<Status, Failure> {
+    let to_output =
+        [&args.csv, &args.standings_csv].into_iter().flatten().filter(|path| is_output(path)).count();
+    if to_output > 1 {
+        return Err(Failure::Message(
+            "--csv - and --standings-csv - would mix; write one of them into a file".to_owned(),
+        ));
+    }
     let (courses, unreadable) = courses(args)?;
     if courses.is_empty() {
         return Err(Failure::Message(
@@ -40,16 +47,27 @@ pub(crate) fn league(args: &args::League, out: &mut impl Write) -> Result<Status
         (0..count).into_par_iter().progress_with(bar).map(|course| league.run(course)).collect();
     let standings = standings(&league.names, &results);
     if let Some(path) = &args.csv {
-        write(path, &results_csv(&league, &results))?;
+        write(path, &results_csv(&league, &results), out)?;
     }
     if let Some(path) = &args.standings_csv {
-        write(path, &standings_csv(&standings))?;
+        write(path, &standings_csv(&standings), out)?;
     }
-    tell(&standings, count, out)?;
+    // A program that reads the CSV wants nothing else.
+    if to_output == 0 {
+        tell(&standings, count, out)?;
+    }
     Ok(if unreadable == 0 { Status::Good } else { Status::Bad })
 }
 
-fn write(path: &Path, text: &str) -> Result<(), Failure> {
+/// Whether a path means standard output.
+fn is_output(path: &Path) -> bool {
+    path == Path::new("-")
+}
+
+fn write(path: &Path, text: &str, out: &mut impl Write) -> Result<(), Failure> {
+    if is_output(path) {
+        return Ok(out.write_all(text.as_bytes())?);
+    }
     fs::write(path, text).map_err(|error| Failure::Message(format!("{}: {error}", path.display())))
 }
 
