@@ -18,8 +18,10 @@ use crate::settings::Settings;
 use crate::trace::Trace;
 
 mod extras;
+mod not_started;
 
 pub use extras::{Adjacency, Extras, Square};
+pub use not_started::{CANNOT_START, NotStarted};
 
 /// Bytes that a node takes on the book's board, where an `int` has 2: `paths` and `vpaths` of four `bool`s
 /// each, `back_path`, `x_cor` and `y_cor`, and a byte for `last_path`.

@@ -8,16 +8,18 @@ use std::process::{Command, Stdio};
 use expect_test::expect;
 use serde_json::{Value, json};
 
+#[path = "cli/compare.rs"]
+mod compare;
 #[path = "cli/explorers.rs"]
 mod explorers;
 #[path = "cli/league.rs"]
 mod league;
-#[path = "cli/many.rs"]
-mod many;
 #[path = "cli/options.rs"]
 mod options;
 #[path = "cli/robot.rs"]
 mod robot;
+#[path = "cli/turns.rs"]
+mod turns;
 
 /// What a command said.
 struct Said {

@@ -54,9 +54,9 @@ pub(crate) enum Command {
         after_help = "Exit status: 0 printed, 1 the run left no way to the finish, 2 bad input.\n\nExample: linemaze turns mazes/book-3-1.maze --form c"
     )]
     Turns(Turns),
-    /// Put explorers side by side in one maze: a table, and where they part from the first of them.
+    /// Put explorers side by side in one maze: a table, and where they part from the first that runs.
     #[command(
-        after_help = "Examples:\n  linemaze compare mazes/book-3-1.maze --explorers book,mapping,cornell-3\n  linemaze compare mazes/long-way.maze --random-orders 1000"
+        after_help = "Exit status: 0 compared, also where an explorer fails or cannot start, 2 bad input or nobody can start.\n\nExamples:\n  linemaze compare mazes/book-3-1.maze --explorers book,mapping,cornell-3\n  linemaze compare mazes/long-way.maze --random-orders 1000"
     )]
     Compare(Compare),
     /// Run explorers over many mazes, on all cores: share solved, medians, CSV.
