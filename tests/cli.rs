@@ -20,6 +20,8 @@ mod options;
 mod robot;
 #[path = "cli/turns.rs"]
 mod turns;
+#[path = "cli/words.rs"]
+mod words;
 
 /// What a command said.
 struct Said {

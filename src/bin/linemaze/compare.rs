@@ -14,6 +14,7 @@ use line_maze_lab::world::CannotStart;
 use rayon::prelude::*;
 
 use crate::args::Compare;
+use crate::count::count;
 use crate::explore::{self, write_json};
 use crate::table::{self, number};
 use crate::{Failure, Status, files, progress};
@@ -52,7 +53,7 @@ pub(crate) fn compare(args: &Compare, out: &mut impl Write) -> Result<Status, Fa
     table::print(&rows, Column::ALL.len() + 1, out)?;
     for (what, best) in [("shortest", bests.shortest), ("fastest", bests.fastest)] {
         if let Some(best) = best {
-            writeln!(out, "the {what} route: {} cells in {:.1} s", best.cells, best.seconds)?;
+            writeln!(out, "the {what} route: {} in {:.1} s", count(best.cells, "cell"), best.seconds)?;
         }
     }
     let mut started = entrants.iter().filter_map(|(_, entrant)| entrant.as_ref().ok());
@@ -123,22 +124,28 @@ fn random_orders(
     let (solved, failed) = draws.counts();
     let bars = draws.bars(shortest, 20);
     let most = bars.iter().map(|bar| bar.count).max().unwrap_or(1).max(1);
-    for Bar { from, to, count } in bars {
+    for Bar { from, to, count: routes } in bars {
         let cells = if from == to { from.to_string() } else { format!("{from}–{to}") };
-        writeln!(out, "{cells:>11} cells  {count:>6}  {}", "#".repeat((count * 50).div_ceil(most)))?;
+        writeln!(
+            out,
+            "{:>17}  {routes:>6}  {}",
+            count(cells, "cell"),
+            "#".repeat((routes * 50).div_ceil(most))
+        )?;
     }
-    writeln!(out, "{solved} routes; {failed} runs left none")?;
+    writeln!(out, "{}; {} left none", count(solved, "route"), count(failed, "run"))?;
     if let Some(shortest) = shortest {
         writeln!(
             out,
-            "the shortest there is has {shortest} cells: {} runs found one",
-            draws.at_most(shortest)
+            "the shortest there is has {}: {} found one",
+            count(shortest, "cell"),
+            count(draws.at_most(shortest), "run")
         )?;
     }
     for (what, draw) in [("best ", draws.best()), ("worst", draws.worst())] {
         if let Some(draw) = draw {
             let cells = draw.route_cells.unwrap_or_default();
-            writeln!(out, "{what}: {cells} cells, --order random:{}", draw.seed)?;
+            writeln!(out, "{what}: {}, --order random:{}", count(cells, "cell"), draw.seed)?;
         }
     }
     Ok(if solved > 0 { Status::Good } else { Status::Bad })

@@ -13,6 +13,7 @@ use line_maze_lab::maze::generate;
 use rayon::prelude::*;
 
 use crate::compare::decimals;
+use crate::count;
 use crate::folders::Files;
 use crate::table::{self, number};
 use crate::{Failure, Status, args, files, progress};
@@ -112,7 +113,7 @@ fn tell(standings: &[Standing], count: usize, out: &mut impl Write) -> Result<()
             [standing.name.to_string(), standing.runs.to_string(), standing.solved.to_string(), share];
         rows.push(start.into_iter().chain(Column::ALL.map(median)).collect());
     }
-    writeln!(out, "{count} mazes; medians")?;
+    writeln!(out, "{}; medians", count::count(count, "maze"))?;
     table::print(&rows, usize::MAX, out)?;
     Ok(())
 }

@@ -4,6 +4,7 @@
 mod args;
 mod check;
 mod compare;
+mod count;
 mod explore;
 mod files;
 mod folders;
