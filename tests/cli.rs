@@ -12,6 +12,8 @@ use serde_json::{Value, json};
 mod compare;
 #[path = "cli/explorers.rs"]
 mod explorers;
+#[path = "cli/files.rs"]
+mod files;
 #[path = "cli/league.rs"]
 mod league;
 #[path = "cli/options.rs"]
