@@ -213,7 +213,7 @@ impl League {
 /// What `robot` takes.
 #[derive(Args)]
 pub(crate) struct Robot {
-    /// Make a pseudo-terminal and a link to it at PATH (not on Windows)
+    /// Make a pseudo-terminal and a link to it at PATH, which goes when the robot ends (not on Windows)
     #[arg(long, value_name = "PATH", required_unless_present = "stdio", conflicts_with = "stdio")]
     pub(crate) pty: Option<PathBuf>,
     /// Speak on standard input and output instead

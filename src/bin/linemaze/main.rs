@@ -15,6 +15,8 @@ mod progress;
 #[cfg(unix)]
 mod pty;
 mod robot;
+#[cfg(unix)]
+mod signals;
 mod table;
 mod turns;
 
