@@ -49,7 +49,7 @@ fn the_league_gives_the_reasons_that_a_run_gives() {
     for (maze, explorer, words) in [
         ("mazes/cornell-6x4.maze", "mapping", Some("everything is mapped, and no finish was seen")),
         ("mazes/cornell-6x4.maze", "cornell-1", Some("circling: stop ")),
-        ("mazes/no-finish-reachable.maze", "book", Some("no finish reachable: every line was driven")),
+        ("mazes/no-finish-reachable.maze", "book", Some("no finish reachable: ")),
         ("mazes/book-3-1.maze", "book", None),
     ] {
         let said = linemaze(&["league", maze, "--explorers", explorer, "--csv", runs.to_str().unwrap()]);
