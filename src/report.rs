@@ -4,6 +4,7 @@ use alloc::string::{String, ToString};
 
 use serde::Serialize;
 
+use crate::compare::score::{judged, why_failed};
 use crate::event::{Outcome, Seen};
 use crate::explorer::book::Case;
 use crate::ink::{Ink, cells_driven};
@@ -17,8 +18,10 @@ use crate::settings::Settings;
 use crate::trace::Trace;
 
 mod extras;
+mod not_started;
 
 pub use extras::{Adjacency, Extras, Square};
+pub use not_started::{CANNOT_START, NotStarted};
 
 /// Bytes that a node takes on the book's board, where an `int` has 2: `paths` and `vpaths` of four `bool`s
 /// each, `back_path`, `x_cor` and `y_cor`, and a byte for `last_path`.
@@ -32,7 +35,7 @@ pub struct Report {
     pub explorer: &'static str,
     /// The outcome's name.
     pub outcome: &'static str,
-    /// Why it ended there, if not at the finish.
+    /// Why it failed: how it ended, if not well, or why it left no route.
     pub reason: Option<String>,
     /// Stops after the start.
     pub stops: u32,
@@ -156,18 +159,15 @@ impl Report {
         let pace = &settings.pace;
         let Facts { explorer, outcome, stops, decisions, tally, memory_bytes, ptr, turns, route, extras } =
             facts;
-        let strayed = route.as_ref().and_then(|route| route.as_ref().err());
-        let driven = route.as_ref().and_then(|route| route.as_ref().ok()).map(Route::tally);
+        let route = judged(maze, route, outcome);
+        let driven = route.as_ref().ok().map(Route::tally);
         let route_s = driven.map(|tally| tally.seconds(cell_mm, pace));
         let shortest = maze.start().and_then(|start| best::shortest(maze, start, pace));
         let fastest = maze.start().and_then(|start| best::fastest(maze, start, pace));
         Self {
             explorer,
             outcome: outcome.name(),
-            reason: match outcome {
-                Outcome::Finish | Outcome::Mapped => strayed.map(ToString::to_string),
-                other => Some(other.to_string()),
-            },
+            reason: why_failed(outcome, route.err()),
             stops,
             decisions,
             distance_cells: tally.cells,

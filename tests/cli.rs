@@ -8,12 +8,22 @@ use std::process::{Command, Stdio};
 use expect_test::expect;
 use serde_json::{Value, json};
 
+#[path = "cli/compare.rs"]
+mod compare;
 #[path = "cli/explorers.rs"]
 mod explorers;
-#[path = "cli/many.rs"]
-mod many;
+#[path = "cli/files.rs"]
+mod files;
+#[path = "cli/league.rs"]
+mod league;
+#[path = "cli/options.rs"]
+mod options;
 #[path = "cli/robot.rs"]
 mod robot;
+#[path = "cli/turns.rs"]
+mod turns;
+#[path = "cli/words.rs"]
+mod words;
 
 /// What a command said.
 struct Said {
@@ -75,7 +85,8 @@ fn run_says_null_where_there_is_nothing_to_say() {
     let report: Value = serde_json::from_str(&said.out).unwrap();
     assert_eq!(report.as_object().unwrap().len(), 22);
     assert_eq!(report["outcome"], "no-finish-reachable");
-    assert_eq!(report["reason"], "no finish reachable: every line was driven");
+    let reason = report["reason"].as_str().unwrap();
+    assert!(reason.starts_with("no finish reachable: "), "{reason}");
     for key in [
         "turns",
         "route_cells",
@@ -245,39 +256,10 @@ fn bad_input_is_named_by_line_and_column() {
 fn a_start_that_the_robot_cannot_use_is_bad_input() {
     let said = with_input(&["run", "-"], "line-maze: 1\n\n+---v---F\n");
     assert_eq!((said.status, said.out.as_str()), (2, ""));
-    assert_eq!(
-        said.err,
-        "standard input: The start 1,0 has 2 ways: the bot could not know that it is back there. Put it at the end \
-         of a line.\n"
-    );
-}
-
-#[test]
-fn arguments_out_of_range_say_what_is_possible() {
-    let cases: [(&[&str], &str); 14] = [
-        (&["--explorer", "third-hand"], "[possible values: book, left-hand, right-hand, "),
-        (&["--order", "SRB"], "an order is S, R and L once each"),
-        (&["--order", "random:"], "random: and a whole number"),
-        (&["--epsilon", "-1"], "unexpected argument '-1'"),
-        (&["--epsilon", "x"], "invalid value 'x' for '--epsilon <MS>'"),
-        (&["--node-max", "0"], "0 is not in 1..=1048575"),
-        (&["--node-max", "1048576"], "1048576 is not in 1..=1048575"),
-        (&["--speed", "0"], "a speed is a number above 0"),
-        (&["--speed", "inf"], "a speed is a number above 0"),
-        (&["--speed", "NaN"], "a speed is a number above 0"),
-        (
-            &["--speed", "0.01"],
-            "--speed 0.01: a cell of 200 mm would take longer than 2000 s; choose 0.1 or more",
-        ),
-        (&["--turn-s", "61"], "from 0 to 60"),
-        (&["--uturn-s=-1"], "from 0 to 60"),
-        (&["--stop-s", "NaN"], "from 0 to 60"),
-    ];
-    for (args, message) in cases {
-        let said = linemaze(&[&["run", FIGURE], args].concat());
-        assert_eq!((said.status, said.out.as_str()), (2, ""), "{args:?}");
-        assert!(said.err.contains(message), "{args:?}: {}", said.err);
-    }
+    let start =
+        "standard input: The start 1,0 has 2 ways: the bot could not know that it is back there. Put it at";
+    assert!(said.err.starts_with(start), "{}", said.err);
+    assert_eq!(said.err.lines().count(), 1);
 }
 
 #[test]

@@ -173,6 +173,8 @@ fn limits_are_errors() {
     assert_eq!(text::parse(&polylines).unwrap().cells(), 999, "lines that overlap are one");
     let json = json::parse(&" ".repeat(json::MAX_BYTES + 1)).unwrap_err().to_string();
     assert_eq!(json, "A maze in JSON has at most 33,554,432 bytes (32 MiB); this one has 33,554,433.");
+    let any = file::read(&vec![b'x'; json::MAX_BYTES + 1]).unwrap_err().to_string();
+    assert_eq!(any, "The file is too large: a maze file has at most 32 MiB.");
 }
 
 /// The examples in the documentation are what they say.

@@ -11,7 +11,7 @@ use crate::report::book_memory_bytes;
 use crate::route::best::{self, Best};
 use crate::route::tally::Tally;
 use crate::route::{Route, Strayed};
-use crate::run::{AnyRun, Way};
+use crate::run::AnyRun;
 use crate::settings::Settings;
 
 /// The best routes of a maze, which every run in it is measured by.
@@ -99,10 +99,7 @@ impl Score {
     /// way to the finish.
     #[must_use]
     pub fn reason(&self) -> Option<String> {
-        match self.outcome {
-            Outcome::Finish | Outcome::Mapped => self.route.err().map(|why| why.to_string()),
-            other => Some(other.to_string()),
-        }
+        why_failed(self.outcome, self.route.err())
     }
 
     /// The route's cells over the shortest's.
@@ -202,12 +199,21 @@ impl Column {
 /// # Errors
 /// Why there is none.
 pub fn solved(maze: &Maze, run: &AnyRun) -> Result<Route, NoRoute> {
-    match (run.way(maze), run.outcome()) {
-        (Some(Way { route: Ok(route), .. }), _) => {
+    judged(maze, run.way(maze).map(|way| way.route), run.outcome())
+}
+
+/// The drive of a run that ended so, if it leads to the finish.
+pub(crate) fn judged(
+    maze: &Maze,
+    drive: Option<Result<Route, Strayed>>,
+    outcome: Outcome,
+) -> Result<Route, NoRoute> {
+    match (drive, outcome) {
+        (Some(Ok(route)), _) => {
             let end = route.legs.last().map_or(route.start, |leg| leg.at);
             if maze.is_finish(end) { Ok(route) } else { Err(NoRoute::NotSeen) }
         }
-        (Some(Way { route: Err(strayed), .. }), _) => Err(NoRoute::Strayed(strayed)),
+        (Some(Err(strayed)), _) => Err(NoRoute::Strayed(strayed)),
         (None, Outcome::Finish | Outcome::Mapped) => Err(NoRoute::NotSeen),
         (
             None,
@@ -220,6 +226,14 @@ pub fn solved(maze: &Maze, run: &AnyRun) -> Result<Route, NoRoute> {
             | Outcome::TooManyStops { .. }
             | Outcome::Cut(_)),
         ) => Err(NoRoute::Ended(other)),
+    }
+}
+
+/// Why a run that ended so failed: table and report say the same.
+pub(crate) fn why_failed(outcome: Outcome, no_route: Option<NoRoute>) -> Option<String> {
+    match outcome {
+        Outcome::Finish | Outcome::Mapped => no_route.map(|why| why.to_string()),
+        other => Some(other.to_string()),
     }
 }
 

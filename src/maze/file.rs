@@ -12,6 +12,8 @@ use super::{Maze, json, micromouse, svg, text};
 pub enum ReadError {
     /// There is nothing in it.
     Empty,
+    /// More than any format may have; what it is was not looked at.
+    TooLarge,
     /// Not text; `at` is the first byte, from 0, that is not UTF-8.
     NotText {
         /// Offset from the file's beginning.
@@ -32,7 +34,7 @@ pub enum ReadError {
 pub fn read(bytes: &[u8]) -> Result<Maze, ReadError> {
     // Too much is said before it is looked at.
     if bytes.len() > json::MAX_BYTES {
-        return Err(ReadError::Json(json::JsonError::TooLarge { bytes: bytes.len() }));
+        return Err(ReadError::TooLarge);
     }
     if let Some(maze) = micromouse::read(bytes) {
         return maze.map_err(ReadError::Micromouse);
@@ -65,6 +67,9 @@ impl fmt::Display for ReadError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Empty => f.write_str("The file is empty; a maze file begins with “line-maze: 1”."),
+            Self::TooLarge => {
+                write!(f, "The file is too large: a maze file has at most {} MiB.", json::MAX_BYTES >> 20)
+            }
             Self::NotText { at } => write!(
                 f,
                 "Byte {at}: this is not text in UTF-8. A maze file is text; save it as UTF-8, or choose another file."
@@ -79,7 +84,7 @@ impl fmt::Display for ReadError {
 impl core::error::Error for ReadError {
     fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
         match self {
-            Self::Empty | Self::NotText { .. } => None,
+            Self::Empty | Self::TooLarge | Self::NotText { .. } => None,
             Self::Json(error) => Some(error),
             Self::Micromouse(error) => Some(error),
             Self::Text(error) => Some(error),

@@ -103,3 +103,27 @@ fn a_robot_replaces_its_old_link_and_no_other_file() {
     assert!(said.err.contains("not-a-link"), "{}", said.err);
     assert_eq!(std::fs::read_to_string(&file).unwrap(), "precious");
 }
+
+#[cfg(unix)]
+#[test]
+fn a_robot_takes_its_link_away_when_a_signal_ends_it() {
+    use std::os::unix::process::ExitStatusExt;
+
+    let link = scratch("robot-signalled");
+    // `kill` is built into every shell.
+    let end = |robot: &mut Robot, signal: &str| {
+        let kill = format!("kill -{signal} {}", robot.0.id());
+        assert!(std::process::Command::new("sh").args(["-c", &kill]).status().unwrap().success());
+        robot.0.wait().unwrap()
+    };
+    for (name, number) in [("INT", 2), ("TERM", 15)] {
+        let mut robot = robot_on(&link, &[]);
+        assert!(link.is_symlink());
+        assert_eq!(end(&mut robot, name).signal(), Some(number), "it ends as anything would");
+        assert!(!link.is_symlink(), "{name} leaves the link behind");
+    }
+    let mut first = robot_on(&link, &[]);
+    let _second = robot_on(&link, &[]);
+    end(&mut first, "TERM");
+    assert!(link.is_symlink(), "the second robot's link is not the first's to take");
+}

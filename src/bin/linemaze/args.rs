@@ -2,13 +2,17 @@
 
 use std::path::PathBuf;
 
-use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use line_maze_lab::explorer::name::Name;
-use line_maze_lab::maze::generate::Recipe;
-use line_maze_lab::maze::{Kind, MAX_SIDE};
-use line_maze_lab::settings::{self, NODE_MAX, Order, Pace, PaceError, Settings, limits};
-use line_maze_lab::trace::MAX_NODES;
+
+mod generate;
+mod names;
+mod options;
+
+pub(crate) use generate::Generate;
+use generate::seed;
+use names::names;
+pub(crate) use options::Options;
 
 /// Explore line mazes as a robot does that cannot see them: stop by stop, by the algorithm of a book.
 #[derive(Parser)]
@@ -50,9 +54,9 @@ pub(crate) enum Command {
         after_help = "Exit status: 0 printed, 1 the run left no way to the finish, 2 bad input.\n\nExample: linemaze turns mazes/book-3-1.maze --form c"
     )]
     Turns(Turns),
-    /// Put explorers side by side in one maze: a table, and where they part from the first of them.
+    /// Put explorers side by side in one maze: a table, and where they part from the first that runs.
     #[command(
-        after_help = "Examples:\n  linemaze compare mazes/book-3-1.maze --explorers book,mapping,cornell-3\n  linemaze compare mazes/long-way.maze --random-orders 1000"
+        after_help = "Exit status: 0 compared, also where an explorer fails or cannot start, 2 bad input or nobody can start.\n\nExamples:\n  linemaze compare mazes/book-3-1.maze --explorers book,mapping,cornell-3\n  linemaze compare mazes/long-way.maze --random-orders 1000"
     )]
     Compare(Compare),
     /// Run explorers over many mazes, on all cores: share solved, medians, CSV.
@@ -114,67 +118,6 @@ pub(crate) struct Explore {
     pub(crate) settings: Options,
 }
 
-/// What explorers and their robots can be set to.
-#[derive(Args)]
-pub(crate) struct Options {
-    /// Which way is tried first at a node: S, R and L once each; random:SEED draws anew at each choice
-    #[arg(long, value_name = "ORDER", default_value = "SRL")]
-    order: Order,
-    /// Two places nearer than this on both axes are one node [default: the time of half a cell]
-    #[arg(long, value_name = "MS")]
-    epsilon: Option<u32>,
-    /// Nodes that the robot can remember at once
-    #[arg(long, value_name = "N", default_value_t = NODE_MAX, value_parser = clap::value_parser!(u32).range(1..=i64::from(MAX_NODES)))]
-    node_max: u32,
-    /// PAReX: whether the path is cut only two steps back (basic), or anywhere (special case 1)
-    #[arg(long, value_enum, default_value_t)]
-    rule: Rule,
-    /// PAReX: squares that the path can hold, 48 in the article [default: no limit]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
-    path_max: Option<u32>,
-    /// Mapping: how the routes are found on the map
-    #[arg(long, value_enum, default_value_t)]
-    search: Search,
-    /// Millimetres a second on a straight
-    #[arg(long, value_name = "MM_S", default_value_t = Pace::default().speed_mm_s, value_parser = speed)]
-    speed: f64,
-    /// Seconds for a turn of 90°
-    #[arg(long, value_name = "S", default_value_t = Pace::default().turn_s, value_parser = seconds)]
-    turn_s: f64,
-    /// Seconds for turning round
-    #[arg(long, value_name = "S", default_value_t = Pace::default().uturn_s, value_parser = seconds)]
-    uturn_s: f64,
-    /// Seconds that every stop costs besides
-    #[arg(long, value_name = "S", default_value_t = Pace::default().stop_s, value_parser = seconds)]
-    stop_s: f64,
-}
-
-impl Options {
-    /// The settings that the options make.
-    pub(crate) const fn settings(&self) -> Settings {
-        Settings {
-            order: self.order,
-            epsilon_ms: self.epsilon,
-            node_max: self.node_max,
-            pace: Pace {
-                speed_mm_s: self.speed,
-                turn_s: self.turn_s,
-                uturn_s: self.uturn_s,
-                stop_s: self.stop_s,
-            },
-            rule: match self.rule {
-                Rule::Basic => settings::Rule::Basic,
-                Rule::Special1 => settings::Rule::Special1,
-            },
-            path_max: self.path_max,
-            search: match self.search {
-                Search::Dijkstra => settings::Search::Dijkstra,
-                Search::Astar => settings::Search::AStar,
-            },
-        }
-    }
-}
-
 /// What `turns` takes.
 #[derive(Args)]
 pub(crate) struct Turns {
@@ -221,8 +164,8 @@ pub(crate) struct Compare {
     pub(crate) json: bool,
     /// Instead: this many runs of the book's explorer, each with its own random order; how long are the routes?
     #[arg(long, value_name = "N", conflicts_with_all = ["explorers", "json", "order"],
-        value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
-    pub(crate) random_orders: Option<u64>,
+        allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    pub(crate) random_orders: Option<u32>,
     #[command(flatten)]
     pub(crate) settings: Options,
 }
@@ -230,24 +173,26 @@ pub(crate) struct Compare {
 /// What `league` takes.
 #[derive(Args)]
 pub(crate) struct League {
-    /// Maze files of any readable format, and folders of them
+    /// Maze files of any readable format, and folders: every file in them and in their folders, but for names that
+    /// begin with a dot
     #[arg(value_name = "MAZE")]
     pub(crate) mazes: Vec<PathBuf>,
     /// The lab's own samples too; alone, they are the default
     #[arg(long)]
     pub(crate) samples: bool,
     /// This many generated mazes, with seeds from --seed on
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true,
+        value_parser = clap::value_parser!(u32).range(1..=100_000))]
     pub(crate) generate: Option<u32>,
     #[command(flatten)]
     pub(crate) recipe: Generate,
     /// Explorers, with commas between them [default: all]
     #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = names(), hide_possible_values = true)]
     explorers: Vec<Name>,
-    /// Write a line for each run into this file
+    /// Write a line for each run into this file; with - to standard output, instead of the table
     #[arg(long, value_name = "FILE")]
     pub(crate) csv: Option<PathBuf>,
-    /// Write a line for each explorer into this file: medians, quartiles, share solved
+    /// Write a line for each explorer into this file, or with - to standard output: medians, quartiles, share solved
     #[arg(long, value_name = "FILE")]
     pub(crate) standings_csv: Option<PathBuf>,
     #[command(flatten)]
@@ -265,31 +210,10 @@ impl League {
     }
 }
 
-/// The explorers' names, each with its title in the help.
-fn names() -> impl TypedValueParser<Value = Name> {
-    let name = |name: &Name| PossibleValue::new(name.text()).help(name.about().title);
-    PossibleValuesParser::new(Name::ALL.iter().map(name)).try_map(|text| text.parse::<Name>())
-}
-
-#[derive(Clone, Copy, Debug, Default, ValueEnum)]
-enum Rule {
-    Basic,
-    #[default]
-    #[value(name = "special-1")]
-    Special1,
-}
-
-#[derive(Clone, Copy, Debug, Default, ValueEnum)]
-enum Search {
-    #[default]
-    Dijkstra,
-    Astar,
-}
-
 /// What `robot` takes.
 #[derive(Args)]
 pub(crate) struct Robot {
-    /// Make a pseudo-terminal and a link to it at PATH (not on Windows)
+    /// Make a pseudo-terminal and a link to it at PATH, which goes when the robot ends (not on Windows)
     #[arg(long, value_name = "PATH", required_unless_present = "stdio", conflicts_with = "stdio")]
     pub(crate) pty: Option<PathBuf>,
     /// Speak on standard input and output instead
@@ -299,16 +223,18 @@ pub(crate) struct Robot {
     #[arg(long, value_name = "FILE")]
     pub(crate) maze: PathBuf,
     /// Lose, flip, double and delay bytes, reset, fall silent and flood, the same way for the same seed
-    #[arg(long, value_name = "SEED")]
+    #[arg(long, value_name = "SEED", allow_negative_numbers = true, value_parser = seed)]
     pub(crate) faults: Option<u64>,
     /// Speak at this rate; on a pseudo-terminal, rubbish comes over unless the other end has set it too
-    #[arg(long, value_name = "BITS_S", value_parser = clap::value_parser!(u32).range(300..=4_000_000))]
+    #[arg(long, value_name = "BITS_S", allow_negative_numbers = true,
+        value_parser = clap::value_parser!(u32).range(300..=4_000_000))]
     pub(crate) baud: Option<u32>,
     /// As behind a Bluetooth module: opening does not reset it, and it is silent until it is spoken to
     #[arg(long)]
     pub(crate) quiet: bool,
     /// Let its time run so many times faster
-    #[arg(long, value_name = "TIMES", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=100))]
+    #[arg(long, value_name = "TIMES", default_value_t = 1, allow_negative_numbers = true,
+        value_parser = clap::value_parser!(u32).range(1..=100))]
     pub(crate) hurry: u32,
 }
 
@@ -319,87 +245,10 @@ pub(crate) struct LinkCheck {
     #[arg(long, value_name = "PATH")]
     pub(crate) pty: PathBuf,
     /// The rate
-    #[arg(long, value_name = "BITS_S", default_value_t = 115_200, value_parser = clap::value_parser!(u32).range(300..=4_000_000))]
+    #[arg(long, value_name = "BITS_S", default_value_t = 115_200, allow_negative_numbers = true,
+        value_parser = clap::value_parser!(u32).range(300..=4_000_000))]
     pub(crate) baud: u32,
     /// The robot may drive: it stands at the start of a line maze, and there is room
     #[arg(long)]
     pub(crate) drive: bool,
-}
-
-/// What `generate` takes.
-#[derive(Args)]
-pub(crate) struct Generate {
-    /// Lattice points from west to east and from south to north, as in 20x12
-    #[arg(long, value_name = "WxH", default_value = "9x6", value_parser = size)]
-    pub(crate) size: Size,
-    /// How many of the links that a tree leaves out become loops: 0 to 1, or 0% to 100%
-    #[arg(long, value_name = "SHARE", default_value = "25%", value_parser = percent)]
-    pub(crate) loops: u8,
-    /// How many of the dead ends are cut back to the next node: 0 to 1, or 0% to 100%
-    #[arg(long, value_name = "SHARE", default_value = "80%", value_parser = percent)]
-    pub(crate) dead_ends: u8,
-    /// Another seed, another maze
-    #[arg(long, value_name = "N", default_value_t = 1)]
-    pub(crate) seed: u64,
-    /// Drawn as lines on the floor, or as walls between squares
-    #[arg(long, value_name = "KIND", value_enum, default_value_t)]
-    pub(crate) kind: Drawn,
-}
-
-impl Generate {
-    /// The recipe that the options make.
-    pub(crate) const fn recipe(&self) -> Recipe {
-        Recipe {
-            width: self.size.width,
-            height: self.size.height,
-            loops_percent: self.loops,
-            dead_ends_cut_percent: self.dead_ends,
-            seed: self.seed,
-            kind: match self.kind {
-                Drawn::Line => Kind::Line,
-                Drawn::Wall => Kind::Wall,
-            },
-        }
-    }
-}
-
-/// Points along the sides.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Size {
-    pub(crate) width: u32,
-    pub(crate) height: u32,
-}
-
-/// How a maze is drawn.
-#[derive(Clone, Copy, Debug, Default, ValueEnum)]
-pub(crate) enum Drawn {
-    #[default]
-    Line,
-    Wall,
-}
-
-fn size(text: &str) -> Result<Size, String> {
-    let side = |text: &str| text.parse().ok().filter(|side| (1..=MAX_SIDE).contains(side));
-    let sides =
-        text.split_once(['x', 'X', '×']).and_then(|(width, height)| Some((side(width)?, side(height)?)));
-    let (width, height) = sides
-        .ok_or(format!("a size is two whole numbers from 1 to {MAX_SIDE} with an x between, as in 20x12"))?;
-    Ok(Size { width, height })
-}
-
-/// A share in whole per cent.
-fn percent(text: &str) -> Result<u8, String> {
-    let (number, whole) = text.strip_suffix('%').map_or((text, 1.0), |number| (number, 100.0));
-    match number.trim().parse::<f64>() {
-        Ok(share) if (0.0..=whole).contains(&share) => Ok((share / whole * 100.0).round() as u8),
-        _ => Err("a share is a number from 0 to 1, as in 0.25, or from 0% to 100%".to_owned()),
-    }
-}
-
-fn speed(text: &str) -> Result<f64, PaceError> {
-    text.parse().map_err(|_| PaceError::Speed).and_then(limits::speed)
-}
-
-fn seconds(text: &str) -> Result<f64, PaceError> {
-    text.parse().map_err(|_| PaceError::Seconds).and_then(limits::seconds)
 }

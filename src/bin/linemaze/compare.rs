@@ -6,12 +6,15 @@ use indicatif::ParallelProgressIterator;
 use line_maze_lab::compare::orders::{Bar, Draws, draw};
 use line_maze_lab::compare::score::{Bests, Column, Score};
 use line_maze_lab::compare::{Entrant, Lineup, parting};
+use line_maze_lab::explorer::name::Name;
 use line_maze_lab::maze::Maze;
-use line_maze_lab::report::Report;
+use line_maze_lab::report::{CANNOT_START, NotStarted, Report};
 use line_maze_lab::settings::Settings;
+use line_maze_lab::world::CannotStart;
 use rayon::prelude::*;
 
 use crate::args::Compare;
+use crate::count::count;
 use crate::explore::{self, write_json};
 use crate::table::{self, number};
 use crate::{Failure, Status, files, progress};
@@ -26,26 +29,36 @@ pub(crate) fn compare(args: &Compare, out: &mut impl Write) -> Result<Status, Fa
     }
     let lineup = Lineup::new(args.explorers.clone()).map_err(|error| Failure::Message(error.to_string()))?;
     let bests = Bests::of(&maze, &settings);
-    let run = |&explorer| Entrant::of(&maze, &settings, explorer, &bests).map_err(|why| (explorer, why));
-    let entrants: Result<Vec<Entrant>, _> = lineup.names().par_iter().map(run).collect();
-    let entrants =
-        entrants.map_err(|(explorer, why)| Failure::Message(format!("{name}: {explorer}: {why}")))?;
+    let run = |&explorer| (explorer, Entrant::of(&maze, &settings, explorer, &bests));
+    let bar = progress::bar(lineup.names().len() as u64);
+    let entrants: Vec<(Name, Result<Entrant, CannotStart>)> =
+        lineup.names().par_iter().progress_with(bar).map(run).collect();
+    if entrants.iter().all(|(_, entrant)| entrant.is_err()) {
+        return Err(Failure::Message(format!("{name}: no explorer can start. {}", reasons(&entrants))));
+    }
     if args.json {
-        for entrant in &entrants {
-            write_json(&Report::of_run(&maze, &settings, &entrant.run), out)?;
+        for (explorer, entrant) in &entrants {
+            match entrant {
+                Ok(entrant) => write_json(&Report::of_run(&maze, &settings, &entrant.run), out)?,
+                Err(why) => write_json(&NotStarted::of(*explorer, *why), out)?,
+            }
         }
         return Ok(Status::Good);
     }
     let mut rows = vec![head()];
-    rows.extend(entrants.iter().map(|entrant| row(&entrant.score)));
+    rows.extend(entrants.iter().map(|(explorer, entrant)| match entrant {
+        Ok(entrant) => row(&entrant.score),
+        Err(why) => no_row(*explorer, *why),
+    }));
     table::print(&rows, Column::ALL.len() + 1, out)?;
     for (what, best) in [("shortest", bests.shortest), ("fastest", bests.fastest)] {
         if let Some(best) = best {
-            writeln!(out, "the {what} route: {} cells in {:.1} s", best.cells, best.seconds)?;
+            writeln!(out, "the {what} route: {} in {:.1} s", count(best.cells, "cell"), best.seconds)?;
         }
     }
-    if let Some((first, others)) = entrants.split_first() {
-        for other in others {
+    let mut started = entrants.iter().filter_map(|(_, entrant)| entrant.as_ref().ok());
+    if let Some(first) = started.next() {
+        for other in started {
             match parting::first(&maze, &first.run, &other.run) {
                 Some(parting) => writeln!(out, "{}", parting.words())?,
                 None => writeln!(out, "{} and {} drive the same way.", first.score.name, other.score.name)?,
@@ -53,6 +66,18 @@ pub(crate) fn compare(args: &Compare, out: &mut impl Write) -> Result<Status, Fa
         }
     }
     Ok(Status::Good)
+}
+
+/// Why explorers cannot start, each reason once.
+fn reasons(entrants: &[(Name, Result<Entrant, CannotStart>)]) -> String {
+    let mut reasons: Vec<String> = Vec::new();
+    for why in entrants.iter().filter_map(|(_, entrant)| entrant.as_ref().err()) {
+        let reason = why.to_string();
+        if !reasons.contains(&reason) {
+            reasons.push(reason);
+        }
+    }
+    reasons.join(" ")
 }
 
 fn head() -> Vec<String> {
@@ -69,6 +94,12 @@ fn row(score: &Score) -> Vec<String> {
     [score.name.to_string()].into_iter().chain(columns).chain([end]).collect()
 }
 
+/// The row of an explorer that cannot start: no numbers, and why.
+fn no_row(explorer: Name, why: CannotStart) -> Vec<String> {
+    let columns = Column::ALL.iter().map(|_| number(None, 0));
+    [explorer.to_string()].into_iter().chain(columns).chain([format!("{CANNOT_START}: {why}")]).collect()
+}
+
 /// Decimals that a column is shown with.
 pub(crate) const fn decimals(column: Column) -> usize {
     match column {
@@ -83,32 +114,38 @@ fn random_orders(
     maze: &Maze,
     settings: &Settings,
     name: &str,
-    count: u64,
+    draws: u32,
     out: &mut impl Write,
 ) -> Result<Status, Failure> {
-    let drawn = (1..=count).into_par_iter().progress_with(progress::bar(count));
-    let draws: Result<Vec<_>, _> = drawn.map(|seed| draw(maze, settings, seed)).collect();
+    let drawn = (1..=draws).into_par_iter().progress_with(progress::bar(draws.into()));
+    let draws: Result<Vec<_>, _> = drawn.map(|seed| draw(maze, settings, seed.into())).collect();
     let draws: Draws = draws.map_err(|why| Failure::Message(format!("{name}: {why}")))?.into_iter().collect();
     let shortest = Bests::of(maze, settings).shortest.map(|best| best.cells);
     let (solved, failed) = draws.counts();
     let bars = draws.bars(shortest, 20);
     let most = bars.iter().map(|bar| bar.count).max().unwrap_or(1).max(1);
-    for Bar { from, to, count } in bars {
+    for Bar { from, to, count: routes } in bars {
         let cells = if from == to { from.to_string() } else { format!("{from}–{to}") };
-        writeln!(out, "{cells:>11} cells  {count:>6}  {}", "#".repeat((count * 50).div_ceil(most)))?;
+        writeln!(
+            out,
+            "{:>17}  {routes:>6}  {}",
+            count(cells, "cell"),
+            "#".repeat((routes * 50).div_ceil(most))
+        )?;
     }
-    writeln!(out, "{solved} routes; {failed} runs left none")?;
+    writeln!(out, "{}; {} left none", count(solved, "route"), count(failed, "run"))?;
     if let Some(shortest) = shortest {
         writeln!(
             out,
-            "the shortest there is has {shortest} cells: {} runs found one",
-            draws.at_most(shortest)
+            "the shortest there is has {}: {} found one",
+            count(shortest, "cell"),
+            count(draws.at_most(shortest), "run")
         )?;
     }
     for (what, draw) in [("best ", draws.best()), ("worst", draws.worst())] {
         if let Some(draw) = draw {
             let cells = draw.route_cells.unwrap_or_default();
-            writeln!(out, "{what}: {cells} cells, --order random:{}", draw.seed)?;
+            writeln!(out, "{what}: {}, --order random:{}", count(cells, "cell"), draw.seed)?;
         }
     }
     Ok(if solved > 0 { Status::Good } else { Status::Bad })

@@ -13,6 +13,7 @@ use line_maze_lab::settings::Settings;
 use serde::Serialize;
 
 use crate::args::Explore;
+use crate::count::count;
 use crate::{Failure, Status, files};
 
 /// `linemaze run`
@@ -103,26 +104,27 @@ fn tell(maze: &Maze, run: &AnyRun, report: &Report, out: &mut impl Write) -> Res
     }
     writeln!(out, "outcome      {}", run.outcome())?;
     let Report { stops, decisions, distance_cells, distance_mm, seconds, .. } = report;
-    writeln!(out, "exploration  {distance_cells} cells ({distance_mm} mm) in {seconds:.1} s")?;
-    writeln!(out, "             {stops} stops, {decisions} of them at nodes")?;
+    let cells = count(distance_cells, "cell");
+    writeln!(out, "exploration  {cells} ({distance_mm} mm) in {seconds:.1} s")?;
+    writeln!(out, "             {}, {decisions} of them at nodes", count(stops, "stop"))?;
     let Report { right_turns, left_turns, u_turns, memory_bytes, .. } = report;
     writeln!(
         out,
-        "             {right_turns} turns to the right, {left_turns} to the left, {u_turns} U-turns"
+        "             {} to the right, {left_turns} to the left, {}",
+        count(right_turns, "turn"),
+        count(u_turns, "U-turn")
     )?;
+    let bytes = count(memory_bytes, "byte");
     match report.ptr {
         Some(ptr) => {
-            let nodes = memory_bytes / NODE_BYTES;
-            writeln!(
-                out,
-                "memory       {memory_bytes} bytes: {nodes} nodes at once; ptr = {ptr} at the end"
-            )?;
+            let nodes = count(memory_bytes / NODE_BYTES, "node");
+            writeln!(out, "memory       {bytes}: {nodes} at once; ptr = {ptr} at the end")?;
         }
-        None => writeln!(out, "memory       {memory_bytes} bytes: {}", run.name().about().bytes)?,
+        None => writeln!(out, "memory       {bytes}: {}", run.name().about().bytes)?,
     }
     if let (Some(cells), Some(seconds)) = (report.route_cells, report.route_s) {
         let turns = shown(report.turns.as_deref().unwrap_or_default());
-        writeln!(out, "route        {cells} cells in {seconds:.1} s: {turns}")?;
+        writeln!(out, "route        {} in {seconds:.1} s: {turns}", count(cells, "cell"))?;
     } else if let Some(reason) = report.reason.as_ref().filter(|_| status(run) == Status::Good) {
         writeln!(out, "route        none: {reason}")?;
     }
@@ -133,7 +135,7 @@ fn tell(maze: &Maze, run: &AnyRun, report: &Report, out: &mut impl Write) -> Res
     for (name, best, ratio) in bests {
         let Some((cells, seconds)) = best else { continue };
         let ratio = ratio.map_or(String::new(), |ratio| format!("; the route is {ratio:.2} times that"));
-        writeln!(out, "{name}     {cells} cells in {seconds:.1} s{ratio}")?;
+        writeln!(out, "{name}     {} in {seconds:.1} s{ratio}", count(cells, "cell"))?;
     }
     Ok(())
 }

@@ -18,8 +18,10 @@ use crate::{Failure, Status};
 pub(crate) fn read(path: &Path) -> Result<Maze, Failure> {
     let bytes = bytes(path).map_err(|error| Failure::Message(format!("{}: {error}", name(path))))?;
     file::read(&bytes).map_err(|error| {
-        let (place, message) = placed(&bytes, &error);
-        Failure::Message(format!("{}:{}:{}: {message}", name(path), place.line, place.column))
+        Failure::Message(match placed(&bytes, &error) {
+            (Some(place), message) => format!("{}:{}:{}: {message}", name(path), place.line, place.column),
+            (None, message) => format!("{}: {message}", name(path)),
+        })
     })
 }
 
@@ -40,9 +42,9 @@ fn bytes(path: &Path) -> io::Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// Where in the file an error is, and what it says without that.
-fn placed(bytes: &[u8], error: &ReadError) -> (Place, String) {
-    match error {
+/// Where in the file an error is, if it is at a place, and what it says without that.
+fn placed(bytes: &[u8], error: &ReadError) -> (Option<Place>, String) {
+    let (place, message) = match error {
         ReadError::Text(error) => {
             let place = Place { line: error.place.line as usize, column: error.place.column as usize };
             (place, error.problem.to_string())
@@ -65,8 +67,13 @@ fn placed(bytes: &[u8], error: &ReadError) -> (Place, String) {
         ReadError::NotText { at } => {
             (Place::after(&String::from_utf8_lossy(&bytes[..*at])), error.to_string())
         }
-        ReadError::Empty | ReadError::Json(JsonError::TooLarge { .. }) => (Place::START, error.to_string()),
-    }
+        ReadError::Empty => (Place::START, error.to_string()),
+        // Nobody looked into it.
+        ReadError::TooLarge | ReadError::Json(JsonError::TooLarge { .. }) => {
+            return (None, error.to_string());
+        }
+    };
+    (Some(place), message)
 }
 
 /// `linemaze generate`

@@ -2,7 +2,7 @@
 
 use std::fs;
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use indicatif::ParallelProgressIterator;
 use line_maze_lab::compare::league::{
@@ -13,11 +13,20 @@ use line_maze_lab::maze::generate;
 use rayon::prelude::*;
 
 use crate::compare::decimals;
+use crate::count;
+use crate::folders::Files;
 use crate::table::{self, number};
 use crate::{Failure, Status, args, files, progress};
 
 /// `linemaze league`
 pub(crate) fn league(args: &args::League, out: &mut impl Write) -> Result<Status, Failure> {
+    let to_output =
+        [&args.csv, &args.standings_csv].into_iter().flatten().filter(|path| is_output(path)).count();
+    if to_output > 1 {
+        return Err(Failure::Message(
+            "--csv - and --standings-csv - would mix; write one of them into a file".to_owned(),
+        ));
+    }
     let (courses, unreadable) = courses(args)?;
     if courses.is_empty() {
         return Err(Failure::Message(
@@ -39,26 +48,37 @@ pub(crate) fn league(args: &args::League, out: &mut impl Write) -> Result<Status
         (0..count).into_par_iter().progress_with(bar).map(|course| league.run(course)).collect();
     let standings = standings(&league.names, &results);
     if let Some(path) = &args.csv {
-        write(path, &results_csv(&league, &results))?;
+        write(path, &results_csv(&league, &results), out)?;
     }
     if let Some(path) = &args.standings_csv {
-        write(path, &standings_csv(&standings))?;
+        write(path, &standings_csv(&standings), out)?;
     }
-    tell(&standings, count, out)?;
+    // A program that reads the CSV wants nothing else.
+    if to_output == 0 {
+        tell(&standings, count, out)?;
+    }
     Ok(if unreadable == 0 { Status::Good } else { Status::Bad })
 }
 
-fn write(path: &Path, text: &str) -> Result<(), Failure> {
+/// Whether a path means standard output.
+fn is_output(path: &Path) -> bool {
+    path == Path::new("-")
+}
+
+fn write(path: &Path, text: &str, out: &mut impl Write) -> Result<(), Failure> {
+    if is_output(path) {
+        return Ok(out.write_all(text.as_bytes())?);
+    }
     fs::write(path, text).map_err(|error| Failure::Message(format!("{}: {error}", path.display())))
 }
 
-/// All the mazes, and how many files could not be read; those are named on standard error.
+/// All the mazes, and how many files and folders could not be read; those are named on standard error.
 fn courses(args: &args::League) -> Result<(Vec<Course>, usize), Failure> {
     let mut courses = Vec::new();
-    let mut unreadable = 0;
-    for path in files_in(&args.mazes)? {
-        match files::read(&path) {
-            Ok(maze) => courses.push(Course::File { name: files::name(&path), maze }),
+    let Files { found, mut unreadable, .. } = Files::of(&args.mazes);
+    for path in &found {
+        match files::read(path) {
+            Ok(maze) => courses.push(Course::File { name: files::name(path), maze }),
             Err(Failure::Message(message)) => {
                 unreadable += 1;
                 crate::complain(&message);
@@ -78,29 +98,6 @@ fn courses(args: &args::League) -> Result<(Vec<Course>, usize), Failure> {
     Ok((courses, unreadable))
 }
 
-/// The files that are named, and those in the folders that are, by name.
-fn files_in(paths: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {
-    let failed = |path: &Path, error| Failure::Message(format!("{}: {error}", path.display()));
-    let mut found = Vec::new();
-    for path in paths {
-        if path.is_dir() {
-            let entries = fs::read_dir(path).map_err(|error| failed(path, error))?;
-            let mut inside = Vec::new();
-            for entry in entries {
-                let file = entry.map_err(|error| failed(path, error))?.path();
-                if file.is_file() {
-                    inside.push(file);
-                }
-            }
-            inside.sort();
-            found.extend(inside);
-        } else {
-            found.push(path.clone());
-        }
-    }
-    Ok(found)
-}
-
 /// The standings: how many courses were solved, and medians.
 fn tell(standings: &[Standing], count: usize, out: &mut impl Write) -> Result<(), Failure> {
     let heads = ["explorer", "runs", "solved", "%"].map(str::to_owned);
@@ -116,7 +113,7 @@ fn tell(standings: &[Standing], count: usize, out: &mut impl Write) -> Result<()
             [standing.name.to_string(), standing.runs.to_string(), standing.solved.to_string(), share];
         rows.push(start.into_iter().chain(Column::ALL.map(median)).collect());
     }
-    writeln!(out, "{count} mazes; medians")?;
+    writeln!(out, "{}; medians", count::count(count, "maze"))?;
     table::print(&rows, usize::MAX, out)?;
     Ok(())
 }

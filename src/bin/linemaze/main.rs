@@ -1,10 +1,13 @@
-//! The command line: run, trace, compare, check, generate and convert line mazes; be a robot, or check one.
+//! The command line: run, trace, compare, check, generate and convert line mazes, print their turn lists, hold a
+//! league over many; be a robot, or check one.
 
 mod args;
 mod check;
 mod compare;
+mod count;
 mod explore;
 mod files;
+mod folders;
 mod league;
 mod link_check;
 mod locate;
@@ -12,6 +15,8 @@ mod progress;
 #[cfg(unix)]
 mod pty;
 mod robot;
+#[cfg(unix)]
+mod signals;
 mod table;
 mod turns;
 

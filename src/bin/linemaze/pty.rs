@@ -88,8 +88,11 @@ impl Pty {
 
 impl Drop for Pty {
     fn drop(&mut self) {
-        // Nobody can be told; a link that is left over is replaced next time.
-        let _ = fs::remove_file(&self.link);
+        // Another robot may have put its own link there.
+        if fs::read_link(&self.link).is_ok_and(|name| name == self.name) {
+            // Nobody can be told; a link that is left over is replaced next time.
+            let _ = fs::remove_file(&self.link);
+        }
     }
 }
 

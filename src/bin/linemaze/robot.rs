@@ -79,14 +79,16 @@ fn on_pty(
     out: &mut impl Write,
 ) -> Result<Status, Failure> {
     use crate::pty::{Peer, Pty};
+    use crate::signals::Signals;
 
     let fails = |error: io::Error| Failure::Message(format!("{}: {error}", path.display()));
+    let signals = Signals::held().map_err(fails)?;
     let mut pty = Pty::new(path).map_err(fails)?;
     writeln!(out, "robot at {} ({})", path.display(), pty.name().display())?;
     out.flush()?;
     let mut peer = Peer::Gone;
     let mut waiting = Vec::new();
-    loop {
+    while !signals.came() {
         let was = std::mem::replace(&mut peer, pty.wait(TICK_MS).map_err(fails)?);
         if (was, peer) == (Peer::Gone, Peer::Open) {
             pty.opened().map_err(fails)?;
@@ -111,6 +113,10 @@ fn on_pty(
         let too_much = waiting.len().saturating_sub(64 * 1024);
         waiting.drain(..too_much);
     }
+    // The link goes first: nobody is to open a terminal that nobody serves.
+    drop(pty);
+    signals.obey().map_err(fails)?;
+    Ok(Status::Good)
 }
 
 #[cfg(not(unix))]

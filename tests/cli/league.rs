@@ -1,0 +1,126 @@
+//! The league, from outside.
+
+use serde_json::Value;
+
+use super::{linemaze, scratch};
+
+#[test]
+fn the_league_runs_over_files_folders_samples_and_generated_mazes() {
+    let (runs, standings) = (scratch("runs.csv"), scratch("standings.csv"));
+    let said = linemaze(&[
+        "league",
+        "mazes",
+        "tests/fixtures/bad/tab.maze",
+        "--generate",
+        "3",
+        "--size",
+        "6x6",
+        "--explorers",
+        "mapping,book",
+        "--csv",
+        runs.to_str().unwrap(),
+        "--standings-csv",
+        standings.to_str().unwrap(),
+    ]);
+    assert_eq!(said.status, 1, "one file could not be read");
+    assert!(said.err.starts_with("tests/fixtures/bad/tab.maze:4:2: "), "{}", said.err);
+    let mazes = std::fs::read_dir("mazes").unwrap().count() + 3;
+    let csv = std::fs::read_to_string(&runs).unwrap();
+    assert!(said.out.starts_with(&format!("{mazes} mazes; medians\nexplorer")), "{}", said.out);
+    assert_eq!(csv.lines().count(), 1 + 2 * mazes);
+    let page = include_str!("../../docs/formats.md");
+    assert!(page.contains(csv.lines().next().unwrap()), "the head is documented");
+    assert!(
+        csv.contains("\nmazes/book-3-1.maze,book,finish,,25,49,9800,4,10,4,28,90,9,4.4,9,4.4,9,4.4,1,1\n"),
+        "{csv}"
+    );
+    assert_eq!(std::fs::read_to_string(&standings).unwrap().lines().count(), 3);
+    let samples = linemaze(&["league", "--explorers", "book"]);
+    assert_eq!((samples.status, samples.err.as_str()), (0, ""));
+    let nothing = linemaze(&["league", "tests/fixtures/bad/tab.maze"]);
+    assert_eq!(nothing.status, 2);
+    assert!(nothing.err.contains("no maze to run in"), "{}", nothing.err);
+}
+
+/// The two say the same of a run, in the words that a table has.
+#[test]
+fn the_league_gives_the_reasons_that_a_run_gives() {
+    let runs = scratch("reasons.csv");
+    for (maze, explorer, words) in [
+        ("mazes/cornell-6x4.maze", "mapping", Some("everything is mapped, and no finish was seen")),
+        ("mazes/cornell-6x4.maze", "cornell-1", Some("circling: stop ")),
+        ("mazes/no-finish-reachable.maze", "book", Some("no finish reachable: ")),
+        ("mazes/book-3-1.maze", "book", None),
+    ] {
+        let said = linemaze(&["league", maze, "--explorers", explorer, "--csv", runs.to_str().unwrap()]);
+        assert_eq!((said.status, said.err.as_str()), (0, ""));
+        let csv = std::fs::read_to_string(&runs).unwrap();
+        let run = linemaze(&["run", maze, "--explorer", explorer, "--json"]).out;
+        let run: Value = serde_json::from_str(&run).unwrap();
+        let reason = run["reason"].as_str();
+        assert_eq!(reason.is_some(), words.is_some(), "{maze} {explorer}: {reason:?}");
+        let reason = reason.unwrap_or_default();
+        assert!(reason.starts_with(words.unwrap_or_default()), "{reason}");
+        let cell = if reason.contains(',') { format!("\"{reason}\"") } else { reason.to_owned() };
+        let start = format!("\n{maze},{explorer},{},{cell},", run["outcome"].as_str().unwrap());
+        assert!(csv.contains(&start), "{start} is not in {csv}");
+    }
+    let people = linemaze(&["run", "mazes/cornell-6x4.maze", "--explorer", "mapping"]);
+    assert_eq!(people.status, 0);
+    assert!(
+        people.out.contains("\nroute        none: everything is mapped, and no finish"),
+        "{}",
+        people.out
+    );
+}
+
+#[test]
+fn the_league_goes_down_into_folders_and_leaves_hidden_files_alone() {
+    let folder = scratch("folders");
+    let _ = std::fs::remove_dir_all(&folder);
+    std::fs::create_dir_all(folder.join("b/deeper")).unwrap();
+    std::fs::create_dir_all(folder.join(".git")).unwrap();
+    for name in ["c.maze", "b/deeper/1.maze", "b/2.maze", "a.maze"] {
+        std::fs::copy("mazes/book-3-1.maze", folder.join(name)).unwrap();
+    }
+    for hidden in [".DS_Store", "b/.hidden.maze", ".git/config"] {
+        std::fs::write(folder.join(hidden), [0, 0, 0, 1]).unwrap();
+    }
+    // A link to where it is would lead down for ever.
+    #[cfg(unix)]
+    std::os::unix::fs::symlink(&folder, folder.join("b/loop")).unwrap();
+    let runs = scratch("folders.csv");
+    let league = |path: &std::path::Path| {
+        let path = path.to_str().unwrap();
+        linemaze(&["league", path, "--explorers", "book", "--csv", runs.to_str().unwrap()])
+    };
+    let said = league(&folder);
+    assert_eq!((said.status, said.err.as_str()), (0, ""));
+    let csv = std::fs::read_to_string(&runs).unwrap();
+    let courses = csv.lines().skip(1).map(|line| line.split(',').next().unwrap());
+    let order = ["a.maze", "b/2.maze", "b/deeper/1.maze", "c.maze"].map(|name| folder.join(name));
+    assert!(courses.eq(order.iter().map(|path| path.to_str().unwrap())), "{csv}");
+    // Who names it means it.
+    let hidden = league(&folder.join(".DS_Store"));
+    assert_eq!(hidden.status, 2);
+    assert!(hidden.err.contains(".DS_Store:"), "{}", hidden.err);
+}
+
+#[test]
+fn a_dash_is_standard_output_and_nothing_else_is_written_there() {
+    let league = |more: &[&str]| {
+        linemaze(&[&["league", "mazes/book-3-1.maze", "--explorers", "book,right-hand"], more].concat())
+    };
+    let runs = league(&["--csv", "-"]);
+    assert_eq!((runs.status, runs.err.as_str()), (0, ""));
+    assert!(runs.out.starts_with("course,explorer,outcome,reason,"), "{}", runs.out);
+    assert_eq!(runs.out.lines().count(), 3, "{}", runs.out);
+    let (file, written) = (scratch("beside.csv"), |path| std::fs::read_to_string(path).unwrap());
+    let standings = league(&["--standings-csv", "-", "--csv", file.to_str().unwrap()]);
+    assert!(standings.out.starts_with("explorer,runs,solved,"), "{}", standings.out);
+    assert_eq!((standings.out.lines().count(), written(&file)), (3, runs.out));
+    let both = league(&["--standings-csv", "-", "--csv", "-"]);
+    assert_eq!((both.status, both.out.as_str()), (2, ""));
+    assert!(both.err.contains("write one of them into a file"), "{}", both.err);
+    assert!(!std::path::Path::new("-").exists());
+}
