@@ -46,8 +46,8 @@ struct Inner {
     timer: Option<IntervalHandle>,
     frame_comes: bool,
     runs: Vec<LiveRun>,
-    /// The run that was shown last: stops, and whether it was over.
-    shown: Option<(u32, bool)>,
+    /// The run that was shown last: stops, whether it was over, and whether the connection was.
+    shown: Option<(u32, bool, bool)>,
 }
 
 impl Inner {
