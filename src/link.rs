@@ -7,6 +7,7 @@ pub mod check;
 pub mod demo;
 pub mod fields;
 pub mod floor;
+pub mod form;
 pub mod frame;
 pub mod keep;
 pub mod knobs;

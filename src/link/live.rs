@@ -79,6 +79,14 @@ pub struct LiveRun {
     at: Option<(Reached, Sighting)>,
     difference: Option<Difference>,
     end: Option<Outcome>,
+    parted: Parted,
+}
+
+/// How robot and page came apart, where the run was cut by that.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Parted {
+    Lost,
+    Disconnected,
 }
 
 /// What a line did to the run.
@@ -113,6 +121,7 @@ impl LiveRun {
             at: None,
             difference: None,
             end: None,
+            parted: Parted::Lost,
         }
     }
 
@@ -239,6 +248,20 @@ impl LiveRun {
             End::Lost => Outcome::NoLine { node: last, heading: self.heading },
             End::Stopped => Outcome::Cut(Cut::Stopped),
         });
+    }
+
+    /// The page has let the robot go while it drove.
+    pub const fn disconnected(&mut self) {
+        if self.end.is_none() {
+            self.end = Some(Outcome::Cut(Cut::ConnectionLost));
+            self.parted = Parted::Disconnected;
+        }
+    }
+
+    /// Whether the page let the robot go while it drove.
+    #[must_use]
+    pub const fn was_disconnected(&self) -> bool {
+        matches!(self.parted, Parted::Disconnected)
     }
 
     /// The run is not followed any further.

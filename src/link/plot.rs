@@ -11,11 +11,32 @@ const KEPT_STOPS: usize = 64;
 /// Without a sample for so long, the plot waits for data.
 const STALE_MS: u64 = 1_000;
 
+/// What there is to see.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Showing {
+    /// Nothing: no sample came lately.
+    #[default]
+    Waiting,
+    /// What the robot senses now.
+    Live,
+    /// What came last on a connection that is over.
+    Over,
+}
+
 /// The last samples, and the stops among them.
 #[derive(Debug, Default)]
 pub struct Plot {
     samples: VecDeque<(u64, Ir)>,
     stops: VecDeque<u32>,
+    life: Life,
+}
+
+/// Whether more can come.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+enum Life {
+    #[default]
+    Goes,
+    Ended,
 }
 
 impl Plot {
@@ -24,6 +45,11 @@ impl Plot {
             self.samples.pop_front();
         }
         self.samples.push_back((now_ms, ir));
+    }
+
+    /// The connection has ended: what is here stays, and is of the past.
+    pub(super) const fn end(&mut self) {
+        self.life = Life::Ended;
     }
 
     /// The robot reached a stop at this moment of its clock.
@@ -36,8 +62,7 @@ impl Plot {
 
     /// The robot's clock begins anew.
     pub(super) fn clear(&mut self) {
-        self.samples.clear();
-        self.stops.clear();
+        *self = Self::default();
     }
 
     /// The samples of the last `span_ms` of the robot's clock, oldest first.
@@ -51,9 +76,13 @@ impl Plot {
         self.stops.iter().copied()
     }
 
-    /// Whether there is nothing to draw: no sample came lately.
+    /// What there is to see.
     #[must_use]
-    pub fn is_waiting(&self, now_ms: u64) -> bool {
-        self.samples.back().is_none_or(|&(came_ms, _)| now_ms.saturating_sub(came_ms) > STALE_MS)
+    pub fn showing(&self, now_ms: u64) -> Showing {
+        match (self.samples.back(), self.life) {
+            (Some(_), Life::Ended) => Showing::Over,
+            (Some(&(came_ms, _)), Life::Goes) if now_ms.saturating_sub(came_ms) <= STALE_MS => Showing::Live,
+            (Some(_) | None, _) => Showing::Waiting,
+        }
     }
 }

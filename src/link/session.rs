@@ -208,7 +208,7 @@ impl Session {
     }
 
     /// The runs, each as the stepper shows it; `mind` is what the page's explorer decides with, where the
-    /// session does not say it.
+    /// session does not say it. The last one may have no end: the session was saved while the robot drove.
     #[must_use]
     pub fn runs(&self, mind: Mind, pace: Pace) -> Vec<LiveRun> {
         let mut runs: Vec<LiveRun> = Vec::new();
@@ -224,16 +224,13 @@ impl Session {
                     };
                     // The same request may be sent again, until it is answered.
                     if runs.last().is_none_or(|run| run.stops() > 0 || run.end().is_some()) {
-                        runs.push(LiveRun::new(errand, pace));
+                        begin(&mut runs, errand, pace);
                     }
                 }
                 Way::In => fold(&mut runs, &line.body, &mut mind, pace),
             }
         }
         runs.retain(|run| run.stops() > 0);
-        for run in &mut runs {
-            run.cut(Cut::ConnectionLost);
-        }
         runs
     }
 }
@@ -253,12 +250,20 @@ fn said(line: &str) -> Result<Utterance, Problem> {
     if sum == right { Ok(Utterance { ms, way, body: body.into() }) } else { Err(Problem::Sum) }
 }
 
+/// Another run begins; if the end of the one before was not heard, it is lost.
+fn begin(runs: &mut Vec<LiveRun>, errand: Errand, pace: Pace) {
+    if let Some(before) = runs.last_mut() {
+        before.cut(Cut::Gap);
+    }
+    runs.push(LiveRun::new(errand, pace));
+}
+
 /// What the robot said, for the run that goes on.
 fn fold(runs: &mut Vec<LiveRun>, body: &str, mind: &mut Mind, pace: Pace) {
     match Report::parse(body) {
         Some(Report::At(at)) => {
             if at.x == 0 && runs.last().is_none_or(|run| run.end().is_some()) {
-                runs.push(LiveRun::new(Errand::Unasked, pace));
+                begin(runs, Errand::Unasked, pace);
             }
             if let Some(run) = runs.last_mut() {
                 run.reached(at);

@@ -1,11 +1,44 @@
-//! The first disagreement of robot and page, in words: what either met, does, and remembers.
+//! A robot's run in words: whose it is and how far it came; and the first disagreement of robot and page, what
+//! either met, does, and remembers.
 
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 
-use super::live::{Difference, Opinion};
+use super::live::{Difference, LiveRun, Opinion};
+use crate::event::Outcome;
 use crate::explorer::book::Case;
 use crate::geometry::Turn;
+
+/// Where a run is told from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Source<'a> {
+    /// The robot that is connected.
+    Robot,
+    /// The robot that was connected.
+    Past,
+    /// A recording with this name.
+    Recording(&'a str),
+}
+
+impl LiveRun {
+    /// Whose run it is, and how far it came: no full stop yet.
+    #[must_use]
+    pub fn told(&self, source: Source<'_>) -> String {
+        let whose = match source {
+            Source::Robot => "Live from the robot".into(),
+            Source::Past => "The robot’s last run".into(),
+            Source::Recording(name) => alloc::format!("From the recording {name}"),
+        };
+        let how = match (self.end(), source) {
+            (None, Source::Robot | Source::Past) => "driving".into(),
+            (None, Source::Recording(_)) => "the recording ends here".into(),
+            (Some(Outcome::Cut(_)), _) if self.was_disconnected() => "then it was disconnected".into(),
+            (Some(end), _) => end.to_string(),
+        };
+        let stops = self.stops();
+        alloc::format!("{whose}: {stops} stop{}, {how}", if stops == 1 { "" } else { "s" })
+    }
+}
 
 /// A row of the table that sets the two against each other.
 #[derive(Clone, Debug, PartialEq, Eq)]

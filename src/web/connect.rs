@@ -11,6 +11,7 @@ use super::step::table::NodeTable;
 use super::step::transport::{Counter, Scrubber};
 use crate::link::page::{Command, Placed, State};
 
+mod halt;
 mod list;
 mod live;
 mod monitor;

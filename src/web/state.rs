@@ -30,6 +30,9 @@ pub enum Round {
     Solved,
 }
 
+/// A view that a part of the page offers to others.
+pub type Offer = fn(Lab) -> AnyView;
+
 /// The state of the page; cheap to copy, reached by [`lab`].
 #[derive(Clone, Copy)]
 pub struct Lab {
@@ -55,6 +58,8 @@ pub struct Lab {
     pub stage: Memo<Same<Maze>>,
     /// The connection to a robot, made by the room *Connect*; it outlives the room.
     pub link: StoredValue<Option<Box<dyn Any>>, LocalStorage>,
+    /// While a robot drives, its stop, for rooms other than *Connect*.
+    pub halt: RwSignal<Option<Offer>>,
     /// The room that is open.
     pub room: RwSignal<Room>,
     /// Where round 1 is played.
@@ -130,6 +135,7 @@ impl Lab {
             guest,
             stage,
             link: StoredValue::new_local(None),
+            halt: RwSignal::new(None),
             room: RwSignal::new(Room::Step),
             playback,
             solved: still(),

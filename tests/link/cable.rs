@@ -3,9 +3,11 @@
 use line_maze_lab::event::{Cut, Outcome};
 use line_maze_lab::link::live::Mind;
 use line_maze_lab::link::page::{Action, Command, News, Placed, PortEvent, State, Trouble};
+use line_maze_lab::link::plot::Showing;
 use line_maze_lab::link::tune::Name;
+use line_maze_lab::link::words::Source;
 
-use crate::bench::{Bench, mind};
+use crate::bench::{Bench, USB, mind};
 
 #[test]
 fn pulled_and_plugged_in_again() {
@@ -34,6 +36,46 @@ fn pulled_and_plugged_in_again() {
     bench.explore();
     bench.until(State::Ready);
     assert_eq!(bench.link.live().unwrap().end(), Some(Outcome::Finish));
+}
+
+#[test]
+fn what_is_known_of_a_robot_ends_with_the_connection() {
+    let mut bench = Bench::ready();
+    bench.command(Command::Set(Name::Kp, 700));
+    bench.wait(500);
+    let plot = |bench: &Bench| bench.link.plot().showing(bench.now_ms);
+    assert!(bench.link.is_open());
+    assert_eq!((plot(&bench), bench.link.setting(Name::Kp)), (Showing::Live, Some(700)));
+    bench.command(Command::Disconnect);
+    assert!(!bench.link.is_open());
+    assert_eq!((plot(&bench), bench.link.setting(Name::Kp)), (Showing::Over, None));
+    assert!(bench.link.plot().newest().is_some());
+    assert_eq!(bench.link.notes().count(), 0);
+    // With the next one, everything begins anew.
+    bench.command(Command::Use(USB));
+    bench.until(State::Ready);
+    assert_eq!(plot(&bench), Showing::Waiting);
+    bench.wait(500);
+    assert_eq!(plot(&bench), Showing::Live);
+}
+
+#[test]
+fn who_disconnects_is_not_told_that_the_connection_was_lost() {
+    let mut bench = Bench::ready();
+    bench.explore();
+    bench.wait(3_000);
+    bench.command(Command::Disconnect);
+    let live = bench.link.live().unwrap();
+    let told = live.told(Source::Past);
+    assert!(told.starts_with("The robot’s last run: "), "{told}");
+    assert!(told.ends_with("then it was disconnected"), "{told}");
+    let mut bench = Bench::ready();
+    bench.explore();
+    bench.wait(3_000);
+    bench.unplug();
+    bench.command(Command::Disconnect);
+    let told = bench.link.live().unwrap().told(Source::Past);
+    assert!(told.ends_with("connection lost"), "{told}");
 }
 
 #[test]
@@ -86,7 +128,7 @@ fn a_reset_in_the_middle_of_a_run_ends_it() {
     assert!(bench.link.notes().any(|note| note.news == News::Restarted));
     // It tells everything again, as it was told before.
     bench.wait(500);
-    assert!(!bench.link.plot().is_waiting(bench.now_ms));
+    assert_eq!(bench.link.plot().showing(bench.now_ms), Showing::Live);
 }
 
 #[test]

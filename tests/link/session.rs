@@ -1,11 +1,13 @@
 //! Recorded sessions, and drawing what a robot has seen where no maze is known.
 
-use line_maze_lab::event::Outcome;
+use line_maze_lab::event::{Cut, Outcome};
 use line_maze_lab::geometry::{Heading, Point};
 use line_maze_lab::ink::Ink;
 use line_maze_lab::link::floor;
+use line_maze_lab::link::live::LiveRun;
 use line_maze_lab::link::page::{Command, State};
 use line_maze_lab::link::session::{Problem, Session};
+use line_maze_lab::link::words::Source;
 use line_maze_lab::maze::Scale;
 use line_maze_lab::settings::Pace;
 
@@ -35,6 +37,41 @@ fn a_session_is_saved_opened_and_stepped_without_the_robot() {
     assert_eq!(runs[0].trace().stops(), 25);
     assert_eq!(runs[0].difference(), None);
     assert_eq!(runs[1].end(), bench.link.live().unwrap().end());
+}
+
+#[test]
+fn a_session_that_is_saved_in_a_run_ends_there() {
+    let mut bench = Bench::ready();
+    bench.explore();
+    bench.wait(4_000);
+    let runs = |text: &str| Session::parse(text).unwrap().runs(mind(), Pace::default());
+    let saved = runs(&bench.link.session().save());
+    assert_eq!((saved.len(), saved[0].end()), (1, None));
+    let told = saved[0].told(Source::Recording("here.txt"));
+    assert_eq!(
+        told,
+        format!("From the recording here.txt: {} stops, the recording ends here", saved[0].stops())
+    );
+    // A connection that was lost in the middle of it stays one that was lost.
+    bench.unplug();
+    bench.plugged = true;
+    bench.until(State::Ready);
+    bench.explore();
+    bench.wait(4_000);
+    let saved = runs(&bench.link.session().save());
+    let ends: Vec<_> = saved.iter().map(LiveRun::end).collect();
+    assert_eq!(ends, [Some(Outcome::Cut(Cut::ConnectionLost)), None]);
+}
+
+#[test]
+fn a_run_whose_end_was_not_heard_does_not_end_the_recording() {
+    let text = explored().link.session().save();
+    let heard = |line: &&str| !line.contains(" < end ") && !line.contains(" < ready ");
+    let lines: Vec<&str> = text.lines().filter(heard).collect();
+    let twice = [&lines[..], &lines[1..]].concat();
+    let runs = Session::parse(&twice.join("\n")).unwrap().runs(mind(), Pace::default());
+    let ends: Vec<_> = runs.iter().map(LiveRun::end).collect();
+    assert_eq!(ends, [Some(Outcome::Cut(Cut::Gap)), None]);
 }
 
 #[test]

@@ -142,6 +142,7 @@ impl Link {
                 self.kept = Kept::Unknown;
                 self.reading_failed_ms = Some(now_ms);
                 self.cut_upload();
+                self.forget_upload();
             }
             Job::Watch(_) | Job::ReadNodes | Job::Get(_) | Job::Set(..) | Job::Stop | Job::Place => {}
         }
@@ -161,11 +162,16 @@ impl Link {
     }
 
     /// The robot's list was read: that settles which one it holds.
-    pub(super) fn settle(&mut self) {
+    pub(super) fn settle(&mut self, before: &Kept) {
         if let Some(sending) = self.sending.take() {
             self.sent = sending.compare(&self.kept);
-        } else if let Some(unsure) = self.unsure.take().filter(|_| self.sent == Sent::Unsure) {
-            self.sent = unsure.compare(&self.kept);
+        } else if let Some(unsure) = self.unsure.take() {
+            if self.sent == Sent::Unsure {
+                self.sent = unsure.compare(&self.kept);
+            }
+        } else if !self.kept.is_still(before) {
+            // What was said of the list before is not true of this one.
+            self.sent = Sent::Nothing;
         }
     }
 

@@ -3,11 +3,12 @@
 use super::hearing::Coming;
 use super::job::sealed;
 use super::{Action, BOOT_WAIT_MS, HIS, Heard, Kept, Link, LostBefore, News, Phase, Placed, Port};
-use super::{SECOND_MS, Trouble};
+use super::{SECOND_MS, Sent, Trouble};
 use crate::event::Cut;
 use crate::link::frame::Decoder;
 use crate::link::monitor::Mark;
 use crate::link::request::Request;
+use crate::link::tune::Name;
 
 impl Link {
     pub(super) const fn is_at_rest(&self) -> bool {
@@ -59,7 +60,10 @@ impl Link {
     }
 
     pub(super) fn disconnect(&mut self, now_ms: u64) {
-        let open = matches!(self.phase, Phase::Waiting { .. } | Phase::Ready | Phase::Running);
+        let open = self.is_open();
+        if let Some(live) = &mut self.live {
+            live.disconnected();
+        }
         self.hang_up(now_ms);
         if open {
             self.actions.push(Action::Close);
@@ -69,17 +73,22 @@ impl Link {
         }
     }
 
-    /// The connection ends: nothing waits any more, the run is kept as far as it was told.
+    /// The connection ends: nothing waits any more, the run is kept as far as it was told, and what was told of
+    /// this connection is over.
     pub(super) fn hang_up(&mut self, now_ms: u64) {
         self.queue.clear();
+        self.notes.clear();
         if let Some(pending) = self.pending.take().filter(|pending| pending.job.is_told()) {
-            self.note(News::NoAnswer(pending.job), now_ms);
+            self.note(News::Unanswered(pending.job), now_ms);
         }
         self.cut_upload();
+        self.forget_upload();
         self.cut_run();
         self.monitor.end_line(Mark::Plain);
         self.coming = Coming::default();
         self.kept = Kept::Unknown;
+        self.tune = [None; Name::COUNT];
+        self.plot.end();
         self.robot = None;
         self.placed = Placed::Somewhere;
         self.millivolts = None;
@@ -99,6 +108,14 @@ impl Link {
         if let Some(sending) = self.sending.take() {
             self.sent = sending.cut();
             self.unsure = Some(sending);
+        }
+    }
+
+    /// How the last upload went says nothing of a list that is not known; but one that was cut off is still to
+    /// be settled.
+    pub(super) fn forget_upload(&mut self) {
+        if self.unsure.is_none() {
+            self.sent = Sent::Nothing;
         }
     }
 

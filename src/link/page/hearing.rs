@@ -220,8 +220,8 @@ impl Link {
                 Read::Broken => return self.ask_again(job, now_ms),
             },
             (Job::ReadTurns, Err(Code::NoList)) => {
-                self.kept = Kept::Nothing;
-                self.settle();
+                let before = core::mem::replace(&mut self.kept, Kept::Nothing);
+                self.settle(&before);
             }
             (Job::ReadNodes, Ok(said)) => match self.take_nodes(said) {
                 Read::Whole => {}
@@ -298,8 +298,9 @@ impl Link {
         if letters.len() != usize::from(upload.len) || frame::crc16(letters.bytes()) != upload.crc {
             return Read::Broken;
         }
-        self.kept = Kept::List(KeptList { upload, origin, letters, read_ms: now_ms });
-        self.settle();
+        let list = KeptList { upload, origin, letters, read_ms: now_ms };
+        let before = core::mem::replace(&mut self.kept, Kept::List(list));
+        self.settle(&before);
         Read::Whole
     }
 

@@ -124,6 +124,8 @@ pub enum News {
     Refused(Job, Code),
     /// No answer, three times.
     NoAnswer(Job),
+    /// The connection ended before the answer came.
+    Unanswered(Job),
     /// It cannot be asked in this state.
     NotNow(Job),
     /// `stop` came before it.
@@ -153,6 +155,9 @@ impl News {
             Self::Done(job) => write!(text, "{}: done.", job.name()),
             Self::Refused(job, code) => write!(text, "{}: the robot says “{}”.", job.name(), code.text()),
             Self::NoAnswer(job) => write!(text, "{}: no answer, asked three times.", job.name()),
+            Self::Unanswered(job) => {
+                write!(text, "{}: the connection ended before an answer came.", job.name())
+            }
             Self::NotNow(job) => write!(text, "{}: not now.", job.name()),
             Self::Overtaken(job) => write!(text, "{}: dropped, because you stopped.", job.name()),
             Self::Restarted => write!(text, "The robot started anew. Put it back at the start."),

@@ -57,6 +57,8 @@ pub enum Sent {
     Unsure,
     /// What was read back is neither: the robot's memory is faulty.
     Differs,
+    /// The robot holds what was sent, and the page has another list by now.
+    Past,
 }
 
 impl Sent {
@@ -70,6 +72,28 @@ impl Sent {
             Self::Old => "The robot still holds its old list.",
             Self::Unsure => "Cut off at the last moment: reading the robot’s list will tell which it holds.",
             Self::Differs => "What the robot holds is not what was sent. Send it again.",
+            Self::Past => "The robot holds the list that was sent before, not the one of this maze.",
+        }
+    }
+
+    /// The same, seen beside the list that the page has now.
+    pub(super) fn beside(self, kept: &Kept, here: Option<&str>) -> Self {
+        match (self, kept) {
+            (Self::New, Kept::List(list)) if here != Some(&list.letters) => Self::Past,
+            _ => self,
+        }
+    }
+}
+
+impl Kept {
+    /// Whether both are one and the same list, whenever they were read.
+    pub(super) fn is_still(&self, before: &Self) -> bool {
+        match (self, before) {
+            (Self::List(now), Self::List(before)) => {
+                (now.upload, now.origin) == (before.upload, before.origin)
+            }
+            (Self::Nothing, Self::Nothing) => true,
+            (Self::Unknown | Self::Nothing | Self::List(_), _) => false,
         }
     }
 }

@@ -73,6 +73,24 @@ impl Link {
         }
     }
 
+    /// Whether the port is open: what is said on it is recorded.
+    #[must_use]
+    pub const fn is_open(&self) -> bool {
+        matches!(self.phase, Phase::Waiting { .. } | Phase::Ready | Phase::Running)
+    }
+
+    /// Whether the run that is kept is of a connection that is over.
+    #[must_use]
+    pub const fn shows_past(&self) -> bool {
+        self.live.is_some() && !self.is_open()
+    }
+
+    /// How the last upload went, seen beside the list that the page has now.
+    #[must_use]
+    pub fn sent_beside(&self, here: Option<&str>) -> Sent {
+        self.sent.beside(&self.kept, here)
+    }
+
     /// Who the robot is, while one is there.
     #[must_use]
     pub const fn robot(&self) -> Option<&Identity> {

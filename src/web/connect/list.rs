@@ -18,11 +18,9 @@ pub fn TurnLists() -> impl IntoView {
     let here = Memo::new(move |_| lab.own.with(|run| run.as_ref().ok().and_then(|run| run.list.clone())));
     let letters = Memo::new(move |_| here.with(|list| list.as_ref().map(ToString::to_string)));
     let kept = Memo::new(move |_| wire.look(|link| link.kept().clone()));
-    let look = Memo::new(move |_| {
-        let now = wire.snapshot();
-        (now.state, now.sent)
-    });
-    let ready = move || look.get().0 == State::Ready;
+    let state = Memo::new(move |_| wire.snapshot().state);
+    let sent = Memo::new(move |_| letters.with(|here| wire.look(|link| link.sent_beside(here.as_deref()))));
+    let ready = move || state.get() == State::Ready;
     let same = move || match (letters.get(), kept.get()) {
         (Some(here), Kept::List(list)) => Some(here == list.letters),
         (_, Kept::Nothing) => Some(false),
@@ -61,11 +59,11 @@ pub fn TurnLists() -> impl IntoView {
                         }.into_any(),
                     })}</dd>
                 </dl>
-                {part(move || progress(look.get().1))}
-                <p class="small" id="sent" role="status">{part(move || look.get().1.says())}</p>
+                {part(move || progress(sent.get()))}
+                <p class="small" id="sent" role="status">{part(move || sent.get().says())}</p>
                 <div class="row even">
                     <button class="btn primary" id="send" disabled=sig(move || !ready() || here.with(Option::is_none)) on:click=mouse(send)>
-                        {part(move || if look.get().1 == Sent::Nothing { "Send" } else { "Send again" })}
+                        {part(move || if matches!(sent.get(), Sent::Nothing | Sent::Past) { "Send" } else { "Send again" })}
                     </button>
                     <button class="btn" id="read-back" disabled=sig(move || !ready()) on:click=mouse(move |_| wire.command(Command::ReadBack))>"Read back"</button>
                 </div>
@@ -96,7 +94,7 @@ fn row(letters: &str, other: Option<&str>) -> AnyView {
 /// Begin, data, commit, read: those that the robot has acknowledged.
 fn progress(sent: Sent) -> AnyView {
     let (done, steps) = match sent {
-        Sent::Nothing | Sent::Unsure | Sent::Old | Sent::Differs => return ().into_any(),
+        Sent::Nothing | Sent::Unsure | Sent::Old | Sent::Differs | Sent::Past => return ().into_any(),
         Sent::Going { done, steps } => (done, steps),
         Sent::New => (4, 4),
     };

@@ -5,9 +5,9 @@ use leptos::prelude::*;
 
 use super::record::RecordBar;
 use super::wire;
-use crate::event::Outcome;
 use crate::link::floor::ground;
 use crate::link::live::{Difference, LiveRun};
+use crate::link::words::Source;
 use crate::playback::Command;
 use crate::trace::Moment;
 use crate::web::icons;
@@ -16,21 +16,14 @@ use crate::web::state::{Lab, Room, lab};
 use crate::web::step::{GuestNote, Stage};
 
 /// Shows a run in the stepper.
-pub(super) fn show(lab: Lab, run: &LiveRun, recording: Option<String>) {
+pub(super) fn show(lab: Lab, run: &LiveRun, source: Source<'_>) {
     let (maze, trace) = (lab.maze.get_untracked(), run.trace());
     let page_ms = lab.settings.with_untracked(|settings| settings.pace.cell_ms(maze.scale));
     let Some(ground) = ground(&maze, &trace, page_ms) else { return };
     let fits = ground.seen.is_none();
     let maze = ground.seen.map_or(maze, Same::new);
-    let (stops, differs) = (run.stops(), run.difference().map(|difference| difference.stop));
-    let whose = recording
-        .map_or_else(|| "Live from the robot".to_owned(), |name| format!("From the recording {name}"));
-    let how = match run.end() {
-        None => "driving".to_owned(),
-        Some(Outcome::Cut(cut)) => Outcome::Cut(cut).to_string(),
-        Some(end) => end.to_string(),
-    };
-    let mut told = format!("{whose}: {stops} stops, {how}.");
+    let differs = run.difference().map(|difference| difference.stop);
+    let mut told = format!("{}.", run.told(source));
     if !fits {
         told.push_str(" It is not the maze of this page: what the robot has seen is drawn.");
     }

@@ -7,6 +7,7 @@ use leptos::prelude::*;
 
 use super::wire;
 use crate::link::page::{Command, Link};
+use crate::link::plot::Showing;
 use crate::link::request::Level;
 use crate::link::strips::{Curve, WIDTH};
 use crate::web::icons;
@@ -19,14 +20,23 @@ const EVERY_MS: u32 = 50;
 pub fn Sensors() -> impl IntoView {
     let wire = wire();
     let paused = RwSignal::new(false);
-    let waiting = Memo::new(move |_| wire.look(|link| link.plot().is_waiting(wire.now_ms())));
+    let showing = Memo::new(move |_| wire.look(|link| link.plot().showing(wire.now_ms())));
     let connected = Memo::new(move |_| wire.snapshot().state.is_connected());
     // What is drawn changes with this only.
-    let moment = Memo::new(move |before: Option<&Option<u32>>| match before {
+    let moment = Memo::new(move |before: Option<&Option<(u32, Showing)>>| match before {
         Some(before) if paused.get() => *before,
-        _ => wire.look(|link| link.plot().newest().map(|ir| ir.ms / EVERY_MS)),
+        _ => wire.look(|link| link.plot().newest().map(|ir| (ir.ms / EVERY_MS, showing.get()))),
     });
-    let markup = Memo::new(move |_| moment.get().map(|_| wire.peek(strips)).unwrap_or_default());
+    let draw = move |(_, showing)| wire.peek(|link| strips(link, showing));
+    let markup = Memo::new(move |_| moment.get().map(draw).unwrap_or_default());
+    let says = move || match (showing.get(), connected.get()) {
+        (Showing::Live, _) => None,
+        // Paused, nothing is waited for.
+        (Showing::Waiting, _) if paused.get() => None,
+        (Showing::Waiting, true) => Some("Waiting for data"),
+        (Showing::Waiting, false) => Some("Waiting for data: no robot is connected"),
+        (Showing::Over, _) => Some("Not connected: this is from before"),
+    };
     view! {
         <section class="card plot" aria-labelledby="plot-title">
             <h2 id="plot-title">"Sensors"<span class="aside">"last 6 s"</span><span class="spacer"></span>
@@ -35,12 +45,8 @@ pub fn Sensors() -> impl IntoView {
                 </button>
             </h2>
             <div class="plot-body">
-                <div class="strips" role="img" aria-label="Five sensors, line error and both motors over the last six seconds" data-moment=sig(move || moment.get()) inner_html=sig(move || markup.get())></div>
-                {part(move || (waiting.get() && !paused.get()).then(|| view! {
-                    <p class="waiting" id="plot-waiting" role="status">
-                        {if connected.get() { "Waiting for data" } else { "Waiting for data: no robot is connected" }}
-                    </p>
-                }))}
+                <div class="strips" role="img" aria-label="Five sensors, line error and both motors over the last six seconds" class:over=sig(move || showing.get() == Showing::Over) inner_html=sig(move || markup.get())></div>
+                {part(move || says().map(|says| view! { <p class="waiting" id="plot-waiting" role="status">{says}</p> }))}
             </div>
             <div class="keys small">
                 <span><svg width="28" height="10" aria-hidden="true"><path d="M1 5h26" class="curve" /></svg>"left"</span>
@@ -66,21 +72,30 @@ pub fn Sensors() -> impl IntoView {
     }
 }
 
-/// The strips as markup: numbers and fixed words only.
-fn strips(link: &Link) -> String {
+/// The strips as markup: numbers and fixed words only. A number beside a strip is what is sensed now.
+fn strips(link: &Link, showing: Showing) -> String {
     let plot = link.plot();
     let Some(newest) = plot.newest().copied() else { return String::new() };
+    let (now, last) = match showing {
+        Showing::Live | Showing::Waiting => (true, "now"),
+        Showing::Over => (false, "last"),
+    };
+    let value = |value: String| if now { value } else { "–".to_owned() };
     let mut markup = String::new();
     for sensor in 0..5 {
         let curve = Curve::Sensor(sensor);
-        let paths = [("area", curve)];
-        strip(&mut markup, link, "", &format!("S{sensor}"), 24, &paths, &curve.of(&newest).to_string());
+        let (paths, value) = ([("area", curve)], value(curve.of(&newest).to_string()));
+        strip(&mut markup, link, "", &format!("S{sensor}"), 24, &paths, &value);
     }
     let error = Curve::Error;
-    strip(&mut markup, link, "err", "error", 36, &[("curve", error)], &error.of(&newest).to_string());
+    strip(&mut markup, link, "err", "error", 36, &[("curve", error)], &value(error.of(&newest).to_string()));
     let motors = [("curve", Curve::Left), ("curve right", Curve::Right)];
-    strip(&mut markup, link, "mot", "motors", 44, &motors, &format!("{}<br>{}", newest.left, newest.right));
-    markup.push_str("<div class=\"axis\"><span></span><span class=\"ticks\"><i>−6 s</i><i>−4</i><i>−2</i><i>now</i></span><b></b></div>");
+    let both = value(format!("{}<br>{}", newest.left, newest.right));
+    strip(&mut markup, link, "mot", "motors", 44, &motors, &both);
+    let _ = write!(
+        markup,
+        "<div class=\"axis\"><span></span><span class=\"ticks\"><i>−6 s</i><i>−4</i><i>−2</i><i>{last}</i></span><b></b></div>"
+    );
     markup
 }
 

@@ -8,6 +8,7 @@ use web_sys::HtmlInputElement;
 use super::wire;
 use super::wire::Wire;
 use crate::link::live::{Difference, Errand, LiveRun};
+use crate::link::page::Link;
 use crate::link::session::{MAX_BYTES, Session};
 use crate::web::browser;
 use crate::web::icons;
@@ -34,6 +35,8 @@ pub struct Recorded {
 pub fn RecordBar() -> impl IntoView {
     let (lab, wire) = (lab(), wire());
     let lines = Memo::new(move |_| wire.look(|link| link.session().len()));
+    let recording = Memo::new(move |_| wire.look(Link::is_open));
+    let past = Memo::new(move |_| wire.look(Link::shows_past) && lab.guest.with(Option::is_some));
     let field = NodeRef::<leptos::html::Input>::new();
     let save = move |_| {
         browser::download(FILE, "text/plain", &wire.peek(|link| link.session().save()));
@@ -51,10 +54,18 @@ pub fn RecordBar() -> impl IntoView {
     };
     view! {
         <div class="bar">
-            <b>{part(move || if wire.recorded.with(Option::is_some) { "Recording" } else { "Live" })}</b>
+            <b>{part(move || match (wire.recorded.with(Option::is_some), past.get()) {
+                (true, _) => "Recording",
+                (false, true) => "Last run",
+                (false, false) => "Live",
+            })}</b>
             {part(move || wire.recorded.get().map(|open| view! { <Runs open=open /> }))}
             <span class="spacer"></span>
-            {part(move || (lines.get() > 0).then(|| view! { <span class="rec" title=format!("{} lines", lines.get())><span class="dot" aria-hidden="true"></span>"recording"</span> }))}
+            {part(move || match (recording.get(), lines.get()) {
+                (_, 0) => ().into_any(),
+                (true, lines) => view! { <span class="rec" id="recording" title=format!("{lines} lines")><span class="dot" aria-hidden="true"></span>"recording"</span> }.into_any(),
+                (false, lines) => view! { <span class="small" id="recorded">{format!("{lines} lines recorded")}</span> }.into_any(),
+            })}
             <span class="group">
                 <button class="btn" id="save-session" disabled=sig(move || lines.get() == 0) on:click=mouse(save)>"Save"</button>
                 <button class="btn" id="open-session" on:click=mouse(move |_| { if let Some(field) = field.get_untracked() { field.click(); } })>"Open a recording"</button>

@@ -13,6 +13,7 @@ use crate::web::browser;
 use crate::web::serial_port::{self, SerialPort};
 use crate::web::state::Lab;
 
+use super::halt;
 use super::record::Recorded;
 
 mod port;
@@ -45,8 +46,8 @@ struct Inner {
     timer: Option<IntervalHandle>,
     frame_comes: bool,
     runs: Vec<LiveRun>,
-    /// The run that was shown last: stops, and whether it was over.
-    shown: Option<(u32, bool)>,
+    /// The run that was shown last: stops, whether it was over, and whether the connection was.
+    shown: Option<(u32, bool, bool)>,
 }
 
 impl Inner {
@@ -217,6 +218,15 @@ impl Wire {
             self.change(|inner| inner.frame_comes = false);
             self.frame.update(|frame| *frame = frame.wrapping_add(1));
             self.show_run();
+            self.offer_stop();
         });
+    }
+
+    /// While the robot drives, it can be stopped in every room that shows its run.
+    fn offer_stop(self) {
+        let drives = self.peek(Link::state) == State::Running;
+        if drives != self.lab.halt.with_untracked(Option::is_some) {
+            self.lab.halt.set(drives.then_some(halt::button));
+        }
     }
 }

@@ -27,7 +27,7 @@ pub fn Transport() -> impl IntoView {
     }
 }
 
-/// To start, back, play, forward, to end.
+/// To start, back, play, forward, to end; and a robot's stop, while one drives.
 #[component]
 pub fn Buttons() -> impl IntoView {
     let lab = lab();
@@ -54,6 +54,7 @@ pub fn Buttons() -> impl IntoView {
             </button>
             {button("Forward (→)", Command::Forward, icons::forward().into_any())}
             {button("To end (End)", Command::ToEnd, icons::to_end().into_any())}
+            {part(move || lab.halt.get().map(|halt| halt(lab)))}
         </div>
     }
 }

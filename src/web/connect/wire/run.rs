@@ -4,6 +4,7 @@ use leptos::prelude::*;
 
 use super::Wire;
 use crate::link::live::{LiveRun, Mind};
+use crate::link::words::Source;
 use crate::web::connect::live;
 use crate::web::connect::record::Recorded;
 
@@ -61,18 +62,24 @@ impl Wire {
                 Some((index, _)) => inner.runs.get(*index),
                 None => inner.link.live(),
             }?;
-            let now = (run.stops(), run.end().is_some());
+            let past = chosen.is_none() && inner.link.shows_past();
+            let now = (run.stops(), run.end().is_some(), past);
             // Sent away by the user: only another run comes by itself.
-            let dismissed =
-                !guest_there && inner.shown.is_some_and(|(stops, over)| now.0 >= stops && (now.1 || !over));
+            let dismissed = !guest_there
+                && inner.shown.is_some_and(|(stops, over, _)| now.0 >= stops && (now.1 || !over));
             if inner.shown == Some(now) || dismissed {
                 return None;
             }
             inner.shown = Some(now);
-            Some(run.clone())
+            Some((run.clone(), past))
         });
-        if let Some(run) = coming {
-            live::show(self.lab, &run, chosen.map(|(_, name)| name));
+        if let Some((run, past)) = coming {
+            let source = match &chosen {
+                Some((_, name)) => Source::Recording(name),
+                None if past => Source::Past,
+                None => Source::Robot,
+            };
+            live::show(self.lab, &run, source);
         }
     }
 }

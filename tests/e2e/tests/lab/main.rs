@@ -2,6 +2,7 @@
 
 mod compare;
 mod connect;
+mod connect_over;
 mod connect_states;
 mod draw;
 mod draw_help;
