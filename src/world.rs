@@ -6,7 +6,7 @@ use core::fmt;
 
 use crate::event::{Finish, Sighting};
 use crate::geometry::{Heading, Point, Turn, Ways};
-use crate::maze::{Maze, Start};
+use crate::maze::{Kind, Maze, Start};
 
 pub mod rover;
 
@@ -34,6 +34,8 @@ pub enum CannotStart {
         at: Point,
         /// Its ways, other than one.
         ways: u32,
+        /// How the maze is drawn.
+        kind: Kind,
     },
     /// The start's only way does not lead where the bot faces.
     FacesAway {
@@ -53,16 +55,24 @@ impl fmt::Display for CannotStart {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::NoStart => write!(f, "The maze has no start: put one at the end of a line."),
-            Self::NotAtLineEnd { at, ways: 0 } => {
+            Self::NotAtLineEnd { at, ways: 0, kind: Kind::Line } => {
                 write!(f, "The start {at} is not on a line: put it at the end of one.")
             }
-            Self::NotAtLineEnd { at, ways } => write!(
+            Self::NotAtLineEnd { at, ways: 0, kind: Kind::Wall } => {
+                write!(f, "The start {at} has walls all round: open one side of its square.")
+            }
+            Self::NotAtLineEnd { at, ways, kind } => write!(
                 f,
-                "The start {at} has {ways} ways: the bot could not know that it is back there. Put it at the end of a line."
+                "The start {at} has {ways} ways: the bot could not know that it is back there. Put it {}, or choose \
+                 another explorer.",
+                match kind {
+                    Kind::Line => "at the end of a line",
+                    Kind::Wall => "into a square with one opening",
+                }
             ),
             Self::FacesAway { start, way } => write!(
                 f,
-                "At the start {} the bot faces {}, but its line leads {}: turn it.",
+                "At the start {} the bot faces {}, but its only way leads {}: turn it.",
                 start.at,
                 start.heading.word(),
                 way.word()
@@ -82,7 +92,7 @@ pub fn line_start(maze: &Maze) -> Result<Start, CannotStart> {
     let start = maze.start().ok_or(CannotStart::NoStart)?;
     let ways = maze.ways(start.at);
     match ways.only() {
-        None => Err(CannotStart::NotAtLineEnd { at: start.at, ways: ways.count() }),
+        None => Err(CannotStart::NotAtLineEnd { at: start.at, ways: ways.count(), kind: maze.kind }),
         Some(way) if way != start.heading => Err(CannotStart::FacesAway { start, way }),
         Some(_) if maze.is_finish(start.at) => Err(CannotStart::OnFinish { at: start.at }),
         Some(_) => Ok(start),

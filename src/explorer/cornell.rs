@@ -7,6 +7,9 @@
 //! | `xpos`, `ypos` | the square: 0,0 is the north-west corner, x to the right, y downwards |
 //! | `orientation` | where the robot faces on the map |
 //! | route | ours, for the third: the squares to the one that was looked for |
+//!
+//! The team's field had 9 × 9 squares. Here size, start and orientation are configured from the maze: the field
+//! is its bounds.
 
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;

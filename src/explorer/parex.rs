@@ -81,7 +81,8 @@ pub struct Numbering {
 }
 
 impl Numbering {
-    /// The article's way out where the maze's size is unknown: in the middle of 24 by 24.
+    /// The article's way out for a robot that nobody told its maze's size: in the middle of 24 by 24. Here every
+    /// maze has its bounds, and [`Numbering::of`] is used.
     pub const UNKNOWN: Self = Self { start: 276, width: 24 };
 
     /// The numbers of a known field, from 1 in the lower left corner as the robot sees it.

@@ -91,22 +91,22 @@ impl Told<'_> {
     #[must_use]
     pub fn narrate(&self, mind: &dyn Robot) -> Narration {
         let verdict = match self.decision {
-            Decision::End(outcome) => self.verdict(outcome),
+            Decision::End(outcome) => self.verdict(outcome).map(|(tone, text)| (outcome.name(), tone, text)),
             Decision::Go(_) => None,
         };
         let mut said = Vec::new();
-        let tone = match verdict {
-            Some((tone, text)) => {
+        let (case, tone) = match verdict {
+            Some((case, tone, text)) => {
                 said.push(Span::Text(text.into()));
-                tone
+                (case, tone)
             }
             None => {
                 self.fill(self.case.told, mind, &mut said);
-                self.case.tone
+                (self.case.name, self.case.tone)
             }
         };
         let short = first_sentence(&said);
-        Narration { case: self.case.name, tone, said, short, section: self.section }
+        Narration { case, tone, said, short, section: self.section }
     }
 
     /// What the referee says, who sees more than the robot; ends that the robot knows itself are cases.

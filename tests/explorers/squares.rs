@@ -3,6 +3,7 @@
 use line_maze_lab::event::Outcome;
 use line_maze_lab::explorer::mind::Mind;
 use line_maze_lab::explorer::name::Name;
+use line_maze_lab::explorer::parex::Numbering;
 use line_maze_lab::geometry::{Heading, Point};
 use line_maze_lab::maze::{Bounds, Maze, Start};
 use line_maze_lab::recording::Recording;
@@ -204,4 +205,13 @@ fn where_no_way_leaves_the_start_everyone_is_stuck() {
     for &name in &Name::ALL[1..] {
         assert_eq!(recording(&alone, name).outcome(), Outcome::Stuck, "{name}");
     }
+}
+
+#[test]
+fn a_robot_that_knows_no_bounds_numbers_from_the_middle_of_24_by_24() {
+    let number = |x, y| Numbering::UNKNOWN.number(Point::new(x, y));
+    assert_eq!(
+        [number(0, 0), number(1, 0), number(-1, 0), number(0, 1), number(0, -1)],
+        [276, 277, 275, 300, 252]
+    );
 }

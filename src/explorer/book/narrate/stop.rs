@@ -149,8 +149,8 @@ fn unknown_uturn(trace: &Trace, frame: &Frame, step: Step) -> Narration {
     let said = if m == last {
         said.text("It still has an unvisited path")
     } else {
-        let said = said.text("Nodes ").number(m.into()).text(" to ").number(last.into());
-        said.text(" still have unvisited paths")
+        let said = said.text("Among nodes ").number(m.into()).text(" to ").number(last.into());
+        said.text(" there are still unvisited paths")
     };
     let said = unvisited(said, trace, frame, m);
     let said = said.text(", so it ").turn(Turn::Back, step.departure()).text(", and crosses this path out.");
