@@ -5,7 +5,7 @@ use core::fmt::Write;
 
 use super::{CourseResult, League, Quartiles, Standing};
 use crate::compare::score::{Column, Score};
-use crate::report::tidy;
+use crate::report::{CANNOT_START, tidy};
 
 const RESULTS: &str = "course,explorer,outcome,reason,stops,distance_cells,distance_mm,right_turns,left_turns,\
 u_turns,seconds,memory_bytes,route_cells,route_s,shortest_cells,shortest_s,fastest_cells,fastest_s,\
@@ -24,7 +24,7 @@ pub fn results_csv(league: &League, results: &[CourseResult]) -> String {
             match &entry.score {
                 Ok(score) => run(&mut text, score, cell_mm),
                 Err(why) => {
-                    cell(&mut text, "cannot-start");
+                    cell(&mut text, CANNOT_START);
                     cell(&mut text, &why.to_string());
                     // The other columns stay empty.
                     let left = RESULTS.matches(',').count() - 3;
