@@ -5,7 +5,7 @@
 //! note, kind, sizes in micrometres, bounds, start, finish, two bits a point for the lines north and east of it,
 //! settings, stop, CRC-32. Version 2 adds, before the CRC-32, the explorer, PAReX's rule and longest path, and
 //! the search of full mapping; where all these are as they are at first, version 1 is written, so that old
-//! links stay as they are. There is one payload for each content, and no other is accepted.
+//! links stay as they are. Version 3 holds what version 2 does, and its stop is one of round 2. There is one payload for each content, and no other is accepted.
 
 mod bytes;
 
@@ -38,6 +38,8 @@ pub struct Shared {
     pub explorer: Name,
     /// The stop that was looked at.
     pub stop: u32,
+    /// Whether it is one of round 2, the drive by the turn list.
+    pub solved: bool,
 }
 
 /// Why there is no link, or why a link cannot be opened.
@@ -67,6 +69,8 @@ pub enum ShareError {
 const BOOK: u8 = 1;
 /// Any explorer.
 const ANY: u8 = 2;
+/// The same in round 2.
+const SOLVED: u8 = 3;
 /// Version and length.
 const HEAD: usize = 3;
 /// The checksum.
@@ -79,7 +83,7 @@ const CRC: Crc<u32, NoTable> = Crc::<u32, NoTable>::new(&CRC_32_ISO_HDLC);
 /// use line_maze_lab::{maze::samples, settings::Settings, share};
 /// use line_maze_lab::explorer::name::Name;
 /// let (maze, settings) = (samples::figure_3_1(), Settings::default());
-/// let shared = share::Shared { maze, settings, explorer: Name::Mapping, stop: 13 };
+/// let shared = share::Shared { maze, settings, explorer: Name::Mapping, stop: 13, solved: false };
 /// let payload = share::encode(&shared)?;
 /// assert_eq!(share::decode(&payload)?, shared);
 /// # Ok::<(), share::ShareError>(())
@@ -89,12 +93,16 @@ const CRC: Crc<u32, NoTable> = Crc::<u32, NoTable>::new(&CRC_32_ISO_HDLC);
 /// [`ShareError::TooBig`] for a maze that does not fit.
 pub fn encode(shared: &Shared) -> Result<String, ShareError> {
     let mut out = Writer::default();
-    let version = if has_extras(shared) { ANY } else { BOOK };
+    let version = match shared.solved {
+        true => SOLVED,
+        false if has_extras(shared) => ANY,
+        false => BOOK,
+    };
     out.0.extend([version, 0, 0]);
     write_maze(&mut out, &shared.maze);
     write_settings(&mut out, &shared.settings);
     out.number(shared.stop);
-    if version == ANY {
+    if version != BOOK {
         write_extras(&mut out, shared);
     }
     let length = out.0.len() + TAIL;
@@ -124,7 +132,7 @@ pub fn decode(payload: &str) -> Result<Shared, ShareError> {
     let head = payload.get(..4).ok_or(ShareError::CutOff { got, expected: None })?;
     let head = URL_SAFE_NO_PAD.decode(head).map_err(|_| ShareError::NotALink)?;
     let [version, high, low] = head[..] else { return Err(ShareError::NotALink) };
-    if !matches!(version, BOOK | ANY) {
+    if !matches!(version, BOOK | ANY | SOLVED) {
         return Err(ShareError::Version(version));
     }
     let expected = characters(usize::from(u16::from_be_bytes([high, low])));
@@ -152,8 +160,8 @@ fn read(version: u8, body: &[u8]) -> Result<Shared, Malformed> {
     let maze = read_maze(&mut reader)?;
     let settings = read_settings(&mut reader)?;
     let stop = reader.number()?;
-    let mut shared = Shared { maze, settings, explorer: Name::Book, stop };
-    if version == ANY {
+    let mut shared = Shared { maze, settings, explorer: Name::Book, stop, solved: version == SOLVED };
+    if version != BOOK {
         read_extras(&mut reader, &mut shared)?;
     }
     if reader.0.is_empty() { Ok(shared) } else { Err(Malformed) }
@@ -334,7 +342,7 @@ impl fmt::Display for ShareError {
             }
             Self::Version(version) => write!(
                 f,
-                "This link is of version {version}, and only versions {BOOK} and {ANY} can be opened. Load the \
+                "This link is of version {version}, and only versions {BOOK} to {SOLVED} can be opened. Load the \
                  page anew to get the latest."
             ),
             Self::CutOff { got, expected: Some(expected) } => write!(

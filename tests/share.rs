@@ -48,8 +48,9 @@ fn explorer() -> impl Strategy<Value = Name> {
 }
 
 fn shared() -> impl Strategy<Value = Shared> {
-    (random::maze(200), settings(), explorer(), any::<u32>())
-        .prop_map(|(maze, settings, explorer, stop)| Shared { maze, settings, explorer, stop })
+    (random::maze(200), settings(), explorer(), any::<u32>(), any::<bool>()).prop_map(
+        |(maze, settings, explorer, stop, solved)| Shared { maze, settings, explorer, stop, solved },
+    )
 }
 
 fn figure_3_1() -> String {
@@ -58,6 +59,7 @@ fn figure_3_1() -> String {
         settings: Settings::default(),
         explorer: Name::Book,
         stop: 13,
+        solved: false,
     })
     .unwrap()
 }
@@ -119,7 +121,8 @@ fn every_changed_character_is_found() {
 
 #[test]
 fn all_samples_fit_a_link_and_the_largest_maze_does_not() {
-    let with = |maze| Shared { maze, settings: Settings::default(), explorer: Name::Book, stop: 0 };
+    let with =
+        |maze| Shared { maze, settings: Settings::default(), explorer: Name::Book, stop: 0, solved: false };
     for sample in SAMPLES {
         let payload = encode(&with(sample.maze())).unwrap();
         assert!(payload.len() < 1000, "{}: {} characters", sample.file, payload.len());
@@ -150,8 +153,8 @@ fn errors_say_what_to_do() {
         "This is not a link of Line Maze Lab: it has characters that none would have."
     );
     assert_eq!(
-        says("Aw____"),
-        "This link is of version 3, and only versions 1 and 2 can be opened. Load the page anew to get the latest."
+        says("BA____"),
+        "This link is of version 4, and only versions 1 to 3 can be opened. Load the page anew to get the latest."
     );
     assert_eq!(
         says(&payload.replacen("VGhl", "VGhm", 1)),
@@ -179,7 +182,13 @@ fn old_links_open() {
 fn a_link_tells_the_explorer() {
     for &explorer in Name::ALL {
         let settings = Settings { path_max: Some(48), rule: Rule::Basic, ..Settings::default() };
-        let shared = Shared { maze: samples::figure_2_4(), settings, explorer, stop: 3 };
+        let shared = Shared {
+            maze: samples::figure_2_4(),
+            settings,
+            explorer,
+            stop: 3,
+            solved: explorer == Name::Mapping,
+        };
         assert_eq!(decode(&encode(&shared).unwrap()), Ok(shared));
     }
     let mut bytes = URL_SAFE_NO_PAD.decode(figure_3_1()).unwrap();

@@ -144,7 +144,8 @@ fn figure_3_1_is_solved_as_natively() {
 #[wasm_bindgen_test]
 fn a_link_brings_back_what_was_shared() {
     let settings = Settings { order: Order::Random(7), epsilon_ms: Some(120), ..Settings::default() };
-    let shared = Shared { maze: samples::figure_2_4(), settings, explorer: Name::Book, stop: 6 };
+    let shared =
+        Shared { maze: samples::figure_2_4(), settings, explorer: Name::Book, stop: 6, solved: false };
     assert_eq!(share::decode(&share::encode(&shared).unwrap()).unwrap(), shared);
 }
 

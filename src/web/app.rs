@@ -6,10 +6,11 @@ use wasm_bindgen::JsCast;
 use wasm_bindgen::prelude::*;
 
 use super::header::Header;
-use super::projector::Projector;
 use super::state::{Lab, Room};
 use super::step::StepRoom;
-use super::{bench, browser, clock, compare, connect, dialogs, draw, keys, lazy, opening, others, storage};
+use super::{
+    bench, browser, clock, compare, connect, dialogs, draw, keys, lazy, opening, others, projector, storage,
+};
 use crate::maze::samples;
 use crate::playback::Motion;
 
@@ -44,7 +45,7 @@ pub fn App() -> impl IntoView {
                 (false, Room::Connect) => lazy::view(connect::room),
                 (true, _) if !book.get() => lazy::view(others::projector),
                 (false, Room::Step) if !book.get() => lazy::view(others::room),
-                (true, _) => view! { <Projector /> }.into_any(),
+                (true, _) => lazy::view(projector::room),
                 (false, Room::Step) => view! { <StepRoom /> }.into_any(),
                 (false, Room::Compare) => lazy::view(compare::room),
                 (false, Room::Bench) => lazy::view(bench::room),
@@ -55,13 +56,14 @@ pub fn App() -> impl IntoView {
     }
 }
 
-/// Opens a room, and says so in the address.
+/// Opens a room, and says so in the address: the browser's *Back* leads to the room before.
 pub fn go(lab: Lab, room: Room) {
     lab.projector.set(false);
+    let other = lab.room.get_untracked() != room;
     lab.room.set(room);
     // A borrowed maze stays in the address, so that reloading shows it again.
-    if !lab.borrowed.get_untracked() {
-        browser::replace_hash(room.hash());
+    if other && !lab.borrowed.get_untracked() {
+        browser::push_hash(room.hash());
     }
 }
 
@@ -70,6 +72,7 @@ fn follow_address(lab: Lab, hash: &str) {
     if let Some(payload) = hash.strip_prefix(LINK) {
         opening::open_link(lab, payload);
     } else if let Some(room) = Room::of_hash(hash) {
+        lab.projector.set(false);
         lab.room.set(room);
     }
 }

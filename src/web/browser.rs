@@ -83,11 +83,38 @@ pub fn replace_hash(hash: &str) {
     }
 }
 
+/// Sets what follows `#`, with an entry in the browser's history to come back to.
+pub fn push_hash(hash: &str) {
+    if let Ok(history) = window().history() {
+        let _ = history.push_state_with_url(&JsValue::NULL, "", Some(&format!("#{hash}")));
+    }
+}
+
 /// Takes the keyboard's focus away from a list once something is chosen, so that Space plays again.
 pub fn let_go(event: &web_sys::Event) {
     if let Some(element) = event.target().and_then(|target| target.dyn_into::<web_sys::HtmlElement>().ok()) {
         let _ = element.blur();
     }
+}
+
+/// Takes the keyboard's focus from where it is; a field says what was typed.
+pub fn blur() {
+    if let Some(element) =
+        document().active_element().and_then(|element| element.dyn_into::<web_sys::HtmlElement>().ok())
+    {
+        let _ = element.blur();
+    }
+}
+
+/// Whether a form has a field that says what is wrong with it; the first such gets the focus.
+#[must_use]
+pub fn has_wrong_field(event: &web_sys::SubmitEvent) -> bool {
+    let form = event.target().map(JsCast::unchecked_into::<web_sys::Element>);
+    let wrong = form.and_then(|form| form.query_selector("[aria-invalid=true]").ok().flatten());
+    if let Some(wrong) = &wrong {
+        let _ = wrong.unchecked_ref::<web_sys::HtmlElement>().focus();
+    }
+    wrong.is_some()
 }
 
 /// Whether the `<details>` of a toggle event is open now.

@@ -61,8 +61,7 @@ pub fn drop_into_league(lab: Lab, transfer: &web_sys::DataTransfer) {
 /// Opens a run in the stepper at a stop.
 pub fn open_in_stepper(lab: Lab, name: Name, stop: u32) {
     go(lab, Room::Step);
-    lab.round.set(Round::Explore);
-    lab.watch(name, stop);
+    lab.watch(name, Round::Explore, stop);
 }
 
 #[component]

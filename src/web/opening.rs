@@ -125,7 +125,7 @@ lazy! { files;
             Ok(shared) => {
                 lab.broken_link.set(None);
                 lab.room.set(Room::Step);
-                lab.borrow(shared.maze, shared.settings, shared.explorer, shared.stop);
+                lab.borrow(shared);
                 true
             }
             Err(why) => {

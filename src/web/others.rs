@@ -5,14 +5,13 @@ use std::sync::Arc;
 
 use leptos::prelude::*;
 
-use super::erase::{mouse, part};
+use super::erase::part;
 use super::lazy::lazy;
+use super::projector::filled;
 use super::run_view::Same;
 use super::state::{Lab, Round, lab};
-use super::step::transport::{Buttons, Counter, Transport};
-use super::step::{CannotRun, StageBar};
-use crate::playback::Command;
-use crate::trace::Moment;
+use super::step::transport::Transport;
+use super::step::{CannotRun, Length, StageBar};
 use crate::world::CannotStart;
 
 pub mod choose;
@@ -39,7 +38,7 @@ lazy! { others;
     /// The room on the projector.
     pub fn projector() -> AnyView {
         let watched = Watched::begin(lab());
-        view! { <OnProjector watched=watched /> }.into_any()
+        filled(scene::stage(watched), now::said(watched, Length::Short))
     }
 }
 
@@ -73,8 +72,8 @@ impl Watched {
         });
         let tell = move |run: Result<Same<OtherRun>, CannotStart>| {
             lab.other.set(Some(run.map(|run| Arc::new(run) as _)));
-            if let Some(stop) = lab.awaited.try_update(Option::take).flatten() {
-                lab.play(Command::Seek(Moment::after(stop)));
+            if let Some((round, stop)) = lab.awaited.try_update(Option::take).flatten() {
+                lab.show(round, stop);
             }
         };
         tell(run.get_untracked());
@@ -132,33 +131,6 @@ fn Room(watched: Watched) -> impl IntoView {
         </main>
         <footer class="transport-bar" aria-label="Run">
             <Transport />
-        </footer>
-    }
-}
-
-#[component]
-fn OnProjector(watched: Watched) -> impl IntoView {
-    let lab = lab();
-    view! {
-        <main class="projector" id="main" tabindex="-1">
-            <h1 class="vh">"Projector"</h1>
-            {scene::stage(watched)}
-            <div class="words" role="status" aria-live="polite">{now::said(watched, super::step::Length::Short)}</div>
-        </main>
-        <footer class="transport-bar projector-bar" aria-label="Run">
-            <Buttons />
-            <Counter />
-            <div class="row">
-                {part(move || lab.shown(|run| run.drive().is_some()).unwrap_or(false).then(|| view! {
-                    <button class="btn" on:click=mouse(move |_| match lab.round.get_untracked() {
-                        Round::Explore => lab.drive_solved(),
-                        Round::Solved => lab.round.set(Round::Explore),
-                    })>
-                        {part(move || if lab.round.get() == Round::Explore { "Drive the solved run" } else { "Back to the exploration" })}
-                    </button>
-                }))}
-                <button class="btn" on:click=mouse(move |_| lab.projector.set(false))>"Leave (P)"</button>
-            </div>
         </footer>
     }
 }

@@ -1,38 +1,46 @@
-//! Projector mode: nothing but maze, sentence and controls, large enough for the last row.
+//! Projector mode: nothing but maze, sentence and controls, large enough for the last row. It is a part of the page
+//! that is loaded when it is first asked for.
 
 use crate::web::erase::{mouse, part};
 use leptos::prelude::*;
 
+use super::lazy::lazy;
 use super::state::{Round, lab};
 use super::step::transport::{Buttons, Counter};
-use super::step::{Said, Stage};
-use crate::web::step::Length;
+use super::step::{Length, Said, Stage};
 
-/// The room, filled.
-#[component]
-pub fn Projector() -> impl IntoView {
+lazy! { dialogs;
+    /// The room of the book's explorer, filled.
+    pub fn room() -> AnyView {
+        filled(view! { <Stage /> }.into_any(), view! { <Said length=Length::Short /> {part(letters)} }.into_any())
+    }
+}
+
+/// The turn list, once the exploration is over.
+fn letters() -> Option<AnyView> {
     let lab = lab();
-    let letters = move || {
-        let over = lab.round.get() == Round::Explore
-            && lab.frame.with(|f| f.as_ref().is_some_and(|f| f.outcome.is_some()));
-        lab.run.with(|run| {
-            run.as_ref().ok().filter(|_| over).and_then(|run| run.list.as_ref().map(ToString::to_string))
-        })
-    };
+    let over = lab.round.get() == Round::Explore
+        && lab.frame.with(|frame| frame.as_ref().is_some_and(|frame| frame.outcome.is_some()));
+    let letters = lab.run.with(|run| {
+        run.as_ref().ok().filter(|_| over).and_then(|run| run.list.as_ref().map(ToString::to_string))
+    });
+    letters.map(|letters| view! { <p class="finish-list" aria-label="Turn list">{letters}</p> }.into_any())
+}
+
+/// A room with this picture and these words.
+pub fn filled(picture: AnyView, words: AnyView) -> AnyView {
+    let lab = lab();
     view! {
         <main class="projector" id="main" tabindex="-1">
             <h1 class="vh">"Projector"</h1>
-            <Stage />
-            <div class="words" role="status" aria-live="polite">
-                <Said length=Length::Short />
-                {part(move || letters().map(|letters| view! { <p class="finish-list" aria-label="Turn list">{letters}</p> }))}
-            </div>
+            {picture}
+            <div class="words" role="status" aria-live="polite">{words}</div>
         </main>
         <footer class="transport-bar projector-bar" aria-label="Run">
             <Buttons />
             <Counter />
             <div class="row">
-                {part(move || lab.run.with(|run| run.as_ref().is_ok_and(|run| run.drive.is_some())).then(|| view! {
+                {part(move || lab.shown(|run| run.drive().is_some()).unwrap_or(false).then(|| view! {
                     <button class="btn" on:click=mouse(move |_| match lab.round.get_untracked() {
                         Round::Explore => lab.drive_solved(),
                         Round::Solved => lab.round.set(Round::Explore),
@@ -44,4 +52,5 @@ pub fn Projector() -> impl IntoView {
             </div>
         </footer>
     }
+    .into_any()
 }

@@ -16,6 +16,7 @@ use crate::maze::Maze;
 use crate::maze::edit::{Edit, History};
 use crate::playback::{Command, Motion, Playback, Timeline};
 use crate::settings::Settings;
+use crate::share::Shared;
 use crate::trace::{Frame, Moment};
 use crate::world::CannotStart;
 
@@ -46,8 +47,8 @@ pub struct Lab {
     pub explorer: RwSignal<Name>,
     /// The run of an explorer that is not the book's, once its part of the page has made it.
     pub other: RwSignal<Option<Result<Arc<dyn Played>, CannotStart>>>,
-    /// The stop of that run that is to be shown when it is there.
-    pub awaited: RwSignal<Option<u32>>,
+    /// The round and stop of that run that are to be shown when it is there.
+    pub awaited: RwSignal<Option<(Round, u32)>>,
     /// The page's own run through the maze.
     pub own: Memo<Result<Same<Run>, CannotStart>>,
     /// The run that is shown: a robot's, or the page's own.
@@ -220,12 +221,18 @@ impl Lab {
     }
 
     /// Shows a stop of an explorer's run through the maze that is open.
-    pub fn watch(self, explorer: Name, stop: u32) {
+    pub fn watch(self, explorer: Name, round: Round, stop: u32) {
         self.choose(explorer);
         self.guest.set(None);
-        self.round.set(Round::Explore);
         let there = untrack(|| self.shown(|_| ()).is_some());
-        self.awaited.set((!there).then_some(stop));
+        self.awaited.set((!there).then_some((round, stop)));
+        self.show(round, stop);
+    }
+
+    /// Shows a stop of the run that is there; of round 1 where there is no round 2.
+    pub fn show(self, round: Round, stop: u32) {
+        let drives = untrack(|| self.shown(|run| run.drive().is_some())) == Some(true);
+        self.round.set(if drives { round } else { Round::Explore });
         self.play(Command::Seek(Moment::after(stop)));
     }
 
@@ -258,17 +265,23 @@ impl Lab {
     }
 
     /// Opens what a link holds. It is not kept as the user's own until it is changed.
-    pub fn borrow(self, maze: Maze, settings: Settings, explorer: Name, stop: u32) {
-        self.open(maze);
-        self.settings.set(settings);
+    pub fn borrow(self, shared: Shared) {
+        self.open(shared.maze);
+        self.settings.set(shared.settings);
         self.borrowed.set(true);
         // Whatever run there is, it is of what was open before.
         self.other.set(None);
-        self.watch(explorer, stop);
+        self.watch(shared.explorer, if shared.solved { Round::Solved } else { Round::Explore }, shared.stop);
     }
 
     fn maze_changed(self) {
         self.borrowed.set(false);
+        // Its undo would take this change back, not the one that it speaks of.
+        if self.toast.with_untracked(|toast| {
+            toast.as_ref().is_some_and(|toast| toast.action == Some(ToastAction::Undo))
+        }) {
+            self.toast.set(None);
+        }
         self.rewind();
     }
 

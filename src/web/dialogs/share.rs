@@ -11,7 +11,7 @@ use crate::share::{self, Shared};
 use crate::web::app::LINK;
 use crate::web::browser;
 use crate::web::draw;
-use crate::web::state::{Lab, ToastTone, lab};
+use crate::web::state::{Lab, Round, ToastTone, lab};
 
 /// The link to what is shown, if the maze fits into one.
 fn link(lab: Lab) -> Result<String, share::ShareError> {
@@ -19,7 +19,8 @@ fn link(lab: Lab) -> Result<String, share::ShareError> {
         maze: lab.maze.with(|maze| (**maze).clone()),
         settings: lab.settings.get(),
         explorer: lab.explorer.get(),
-        stop: lab.moment.get().stop,
+        stop: lab.playing().with(|playback| playback.moment().stop),
+        solved: lab.round.get() == Round::Solved,
     };
     Ok(format!("{}#{LINK}{}", browser::address(), share::encode(&shared)?))
 }

@@ -33,7 +33,8 @@ impl Room {
     pub fn of_hash(hash: &str) -> Option<Self> {
         match hash {
             "draw" => Some(Self::Draw),
-            "step" => Some(Self::Step),
+            // The page's address before a room was opened.
+            "step" | "" => Some(Self::Step),
             "compare" | "league" => Some(Self::Compare),
             "connect" => Some(Self::Connect),
             "bench" if crate::web::browser::is_development() => Some(Self::Bench),

@@ -60,6 +60,14 @@ impl Page {
         self.wait_for_start().await
     }
 
+    /// Goes back, as the browser's button does.
+    ///
+    /// # Errors
+    /// If there's nowhere to go.
+    pub async fn back(&self) -> Result<()> {
+        Ok(self.session.client.back().await?)
+    }
+
     /// Opens the page in another tab of the same browser, and stays there.
     ///
     /// # Errors

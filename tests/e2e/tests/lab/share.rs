@@ -17,8 +17,7 @@ async fn link(page: &Page) -> Result<String> {
     let link = page.value("#link").await?;
     assert_eq!(page.count("dialog .qr svg[role=img] path").await?, 1);
     page.screenshot("share").await?;
-    page.press("Escape").await?;
-    page.wait_for_no("dialog").await?;
+    page.leave_dialog().await?;
     let hash = link.strip_prefix(page.address()).context("the link leads elsewhere")?;
     Ok(hash.strip_prefix('#').context("a link without #")?.to_owned())
 }
@@ -42,7 +41,7 @@ async fn a_link_shows_a_stranger_the_same() -> Result<()> {
         page.choose("#order", "right, straight, left").await?;
         page.fill("#epsilon", "150").await?;
         page.fill("#node-max", "40").await?;
-        page.press("Escape").await?;
+        page.leave_dialog().await?;
         page.press_times("PageDown", 5).await?;
         let said = page.text("#said").await?;
         let set = link(page).await?;
@@ -56,7 +55,7 @@ async fn a_link_shows_a_stranger_the_same() -> Result<()> {
         .await?;
         lab_at(&site, Setup::default().at(set), async |other| {
             assert_eq!(other.text("#said").await?, said);
-            assert!(other.text("#count").await?.contains("stop 5 / 21"));
+            other.wait_for_text("#count", "stop 5 / 21").await?;
             other.press("o").await?;
             assert_eq!(other.value("#order").await?, "RSL");
             assert_eq!(other.value("#epsilon").await?, "150");
@@ -64,6 +63,39 @@ async fn a_link_shows_a_stranger_the_same() -> Result<()> {
             Ok(())
         })
         .await
+    })
+    .await
+}
+
+#[tokio::test]
+async fn a_link_from_round_2_shows_round_2() -> Result<()> {
+    let site = Site::start().await?;
+    lab_at(&site, Setup::default(), async |page| {
+        for explorer in ["The book’s explorer", "Full mapping"] {
+            page.press("o").await?;
+            page.choose("#explorer-name", explorer).await?;
+            page.leave_dialog().await?;
+            if explorer != "The book’s explorer" {
+                // Its part of the page comes when it is asked for.
+                page.wait_for_text("#now-title", explorer).await?;
+            }
+            page.press("End").await?;
+            page.click("Drive the solved run").await?;
+            page.press("Home").await?;
+            page.press_times("ArrowRight", 2).await?;
+            let said = page.text("#said").await?;
+            assert!(page.text("#solved-title").await?.to_lowercase().contains("round 2"));
+            let solved = link(page).await?;
+            lab_at(&site, Setup::default().at(solved), async |other| {
+                other.wait_for("#solved-title").await?;
+                other.wait_for_text("#count", "stop 2 /").await?;
+                assert_eq!(other.text("#said").await?, said);
+                other.click("Back to the exploration").await?;
+                other.wait_for_no("#solved-title").await
+            })
+            .await?;
+        }
+        Ok(())
     })
     .await
 }
@@ -129,7 +161,7 @@ async fn a_broken_link_leaves_ones_own_maze_open() -> Result<()> {
             (format!("{payload}AAAA"), "is damaged"),
             ("%3Cscript%3E".to_owned(), "not a link of Line Maze Lab"),
             (String::new(), "breaks off after 0 characters"),
-            (format!("_{}", &payload[1..]), "only versions 1 and 2 can be opened"),
+            (format!("_{}", &payload[1..]), "only versions 1 to 3 can be opened"),
             ("A".repeat(9000), "at most 8,000 characters"),
         ];
         for (payload, why) in broken {
