@@ -4,9 +4,9 @@ use crate::web::erase::{event, mouse, part};
 use leptos::html;
 use leptos::prelude::*;
 
-use super::icons;
 use super::lazy::{self, lazy};
 use super::state::{Dialog, ToastAction, ToastTone, lab};
+use super::{browser, icons};
 
 mod books;
 pub mod settings;
@@ -87,6 +87,8 @@ pub fn Modal(title: &'static str, #[prop(optional)] width: Width, children: Chil
             node_ref=element
             class:narrow=width == Width::Narrow
             aria-labelledby="dialog-title"
+            // What was typed counts, however the dialog is left.
+            on:cancel=event(move |_| browser::blur())
             on:close=event(move |_| close())
             on:click=mouse(move |event: web_sys::MouseEvent| {
                 // A click on the veil lands on the dialog itself.

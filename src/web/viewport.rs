@@ -45,23 +45,27 @@ impl Overlays {
     }
 }
 
-/// Cells of room around a maze that fills the picture.
+/// Cells of room around a maze that fills the picture, and pixels where that is more: the bot keeps its size.
 const MARGIN: f64 = 0.75;
+const MARGIN_PX: f64 = 24.0;
 /// The fewest and the most pixels a cell.
 const SCALES: (f64, f64) = (2.0, 160.0);
 
-/// What a lattice with its margin takes, in cells.
-fn room(bounds: Bounds) -> Size {
-    let cells = |points: u32| f64::from(points - 1) + 2.0 * MARGIN;
-    Size { w: cells(bounds.width()), h: cells(bounds.height()) }
+/// What a lattice takes with its margins, in pixels.
+fn room(bounds: Bounds, scale: f64) -> Size {
+    let side = |points: u32| f64::from(points - 1) * scale + 2.0 * (MARGIN * scale).max(MARGIN_PX);
+    Size { w: side(bounds.width()), h: side(bounds.height()) }
 }
 
 impl Viewport {
     /// The whole lattice, as large as it fits, but no cell larger than `most` pixels.
     #[must_use]
     pub fn fit(bounds: Bounds, size: Size, most: f64) -> Self {
-        let room = room(bounds);
-        let scale = (size.w / room.w).min(size.h / room.h).clamp(0.5, most);
+        let fits = |side: f64, points: u32| {
+            let cells = f64::from(points - 1);
+            (side / (cells + 2.0 * MARGIN)).min((side - 2.0 * MARGIN_PX) / cells)
+        };
+        let scale = fits(size.w, bounds.width()).min(fits(size.h, bounds.height())).clamp(0.5, most);
         Self {
             x: f64::from(bounds.sw().x + bounds.ne().x) / 2.0,
             y: f64::from(bounds.sw().y + bounds.ne().y) / 2.0,
@@ -96,10 +100,10 @@ impl Viewport {
             .map(|(right, above, below)| {
                 let part = Size { w: (size.w - right).max(1.0), h: (size.h - above - below).max(1.0) };
                 let fitted = Self::fit(bounds, part, most);
-                let room = room(bounds);
+                let room = room(bounds, fitted.scale);
                 // As near to the picture's middle as the part lets it be.
-                let shift = |whole: f64, from: f64, to: f64, cells: f64| {
-                    let half = cells * fitted.scale / 2.0;
+                let shift = |whole: f64, from: f64, to: f64, room: f64| {
+                    let half = room / 2.0;
                     (whole / 2.0).min(to - half).max(from + half) - whole / 2.0
                 };
                 fitted.moved(

@@ -85,7 +85,7 @@ pub fn Orders() -> impl IntoView {
     Effect::new(move |_| {
         let maze = lab.maze.get();
         lab.settings.track();
-        match maze.cells() <= AT_ONCE_CELLS && maze.start().is_some() {
+        match maze.cells() <= AT_ONCE_CELLS && lab.own.with(Result::is_ok) {
             true => orders.begin(),
             false => orders.reset(),
         }
@@ -99,6 +99,9 @@ pub fn Orders() -> impl IntoView {
                 (None, Some(drawn)) => view! {
                     <div class="blank" role="status"><p>"Drawing orders…"</p>
                         <progress max=COUNT.to_string() value=drawn.to_string() aria-label="Orders drawn"></progress></div>
+                }.into_any(),
+                (None, None) if lab.own.with(Result::is_err) => view! {
+                    <div class="blank"><p>{lab.own.with(|run| run.as_ref().err().map(ToString::to_string))}</p></div>
                 }.into_any(),
                 (None, None) => view! {
                     <div class="blank">

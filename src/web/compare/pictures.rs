@@ -225,7 +225,11 @@ pub fn Parting() -> impl IntoView {
                             <button class="btn" title="The next place where two of them part (N)" on:click=mouse(move |_| desk.next_fork())>"Next parting"</button>
                         })}
                     }.into_any(),
-                    None => view! { <p>"All of them drive the same way to the end."</p> }.into_any(),
+                    None => view! { <p>{desk.field.with(|field| match field.runs().count() {
+                        all if all == field.entrants.len() => "All of them drive the same way to the end.",
+                        0 | 1 => "Two have to drive before they can part.",
+                        _ => "Where they part is marked once all of them can start.",
+                    })}</p> }.into_any(),
                 })}
             </div>
         </section>

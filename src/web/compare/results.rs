@@ -93,7 +93,10 @@ fn Head(key: Key, name: &'static str, class: &'static str) -> impl IntoView {
 /// The shortest and the fastest route of the maze: not always the same.
 fn bests(field: &Field) -> String {
     let (Some(shortest), Some(fastest)) = (field.bests.shortest, field.bests.fastest) else {
-        return "No way leads to the finish.".to_owned();
+        return match field.maze.start() {
+            Some(_) => "No way leads to the finish.".to_owned(),
+            None => "From where? The maze has no start.".to_owned(),
+        };
     };
     let one = format!("Shortest route: {} cells, {:.1} s.", shortest.cells, shortest.seconds);
     if shortest.seconds > fastest.seconds + 1e-9 {

@@ -7,6 +7,7 @@ use super::desk::{many, say_done};
 use crate::geometry::Point;
 use crate::maze::edit::Edit;
 use crate::maze::{Bounds, Kind, MAX_SIDE, Maze};
+use crate::web::browser;
 use crate::web::dialogs::settings::NumberField;
 use crate::web::dialogs::{Modal, Width};
 use crate::web::state::lab;
@@ -23,6 +24,9 @@ pub fn New() -> impl IntoView {
     let kind = RwSignal::new(Kind::Line);
     let make = move |event: web_sys::SubmitEvent| {
         event.prevent_default();
+        if browser::has_wrong_field(&event) {
+            return;
+        }
         let (width, height) = size.get_untracked();
         let ne = Point::new(width.cast_signed() - 1, height.cast_signed() - 1);
         if let Ok(bounds) = Bounds::new(Point::new(0, 0), ne) {
@@ -127,7 +131,7 @@ pub fn Resize() -> impl IntoView {
     let cut = move || after.get().map(|after| lab.maze.with_untracked(|maze| cut_off(maze, after)));
     let apply = move |event: web_sys::SubmitEvent| {
         event.prevent_default();
-        let Some(after) = after.get_untracked() else { return };
+        let Some(after) = after.get_untracked().filter(|_| !browser::has_wrong_field(&event)) else { return };
         lab.dialog.set(None);
         if lab.edit(Edit::Bounds(after)) {
             say_done(lab, format!("The maze has {} × {} {places} now.", after.width(), after.height()));

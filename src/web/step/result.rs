@@ -115,13 +115,16 @@ fn Facts() -> impl IntoView {
                 "times the shortest".to_owned()
             };
             let fact = |name: &'static str, value: String, unit: String| view! { <div><dt>{name}</dt><dd>{value}<small>{unit}</small></dd></div> };
+            let cells = |name, count: u64| {
+                fact(name, count.to_string(), if count == 1 { "cell" } else { "cells" }.into())
+            };
             let stops = run.trace.stops();
             Some(view! {
-                <dl class="facts">
-                    {fact("Route", run.route_cells()?.to_string(), "cells".into())}
-                    {fact("Shortest", run.shortest?.to_string(), "cells".into())}
+                <dl class="facts three">
+                    {cells("Route", run.route_cells()?.into())}
+                    {cells("Shortest", run.shortest?.into())}
                     {fact("Ratio", format!("{:#}", Decimal(ratio, 2)), judged)}
-                    {fact("Exploration", run.cells(stops).to_string(), "cells".into())}
+                    {cells("Exploration", run.cells(stops))}
                     {fact("Stops", stops.to_string(), String::new())}
                 </dl>
             })

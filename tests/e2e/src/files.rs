@@ -81,6 +81,20 @@ impl Page {
         self.call(drop, &[json!(name), json!(content)]).await.map(std::mem::drop)
     }
 
+    /// Drops files or folders of the disk on the page, as a hand does.
+    ///
+    /// # Errors
+    /// If the browser refuses.
+    pub async fn drop_paths(&self, paths: &[&std::path::Path]) -> Result<()> {
+        let (x, y) = self.middle("main").await?;
+        let data = json!({ "items": [], "files": paths, "dragOperationsMask": 1 });
+        for kind in ["dragEnter", "dragOver", "drop"] {
+            let event = json!({ "type": kind, "x": x, "y": y, "data": data });
+            self.tools("Input.dispatchDragEvent", event).await?;
+        }
+        Ok(())
+    }
+
     /// Pastes a text into the page.
     ///
     /// # Errors

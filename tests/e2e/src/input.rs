@@ -69,6 +69,15 @@ impl Page {
         self.act(json!([{ "type": "key", "id": "keyboard", "actions": actions }])).await
     }
 
+    /// Leaves a dialog by Esc, and waits until it's gone: a key that comes sooner is still the dialog's.
+    ///
+    /// # Errors
+    /// If it stays.
+    pub async fn leave_dialog(&self) -> Result<()> {
+        self.press("Escape").await?;
+        self.wait_for_no("dialog").await
+    }
+
     /// Types into a field in place of what it holds, and leaves the field.
     ///
     /// # Errors

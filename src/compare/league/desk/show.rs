@@ -112,7 +112,7 @@ fn push_run(rows: &mut String, league: &League, course: usize, entry: &Entry) {
     // Writing to a string cannot fail.
     let _ = write!(
         rows,
-        "<tr{}><td><button class=\"open\" data-course=\"{course}\" data-explorer=\"{explorer}\" title=\"Open this run in Step\">{}</button></td><td>{}</td>",
+        "<tr{} data-course=\"{course}\" data-explorer=\"{explorer}\"><td><button class=\"open\" title=\"Open this run in Step\">{}</button></td><td>{}</td>",
         if failed { " class=\"failed\"" } else { "" },
         escaped(&name),
         escaped(entry.name.about().title)

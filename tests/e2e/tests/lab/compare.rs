@@ -73,8 +73,7 @@ async fn the_table_sorts_and_the_line_up_changes() -> Result<()> {
         page.click("3 explorers…").await?;
         page.wait_for("dialog[open]").await?;
         page.click_css("dialog input[value=tremaux]").await?;
-        page.press("Escape").await?;
-        page.wait_for_no("dialog").await?;
+        page.leave_dialog().await?;
         page.wait_until("document.querySelectorAll('.run').length === 4").await?;
         page.press("n").await?;
         page.wait_until("!document.querySelector('#abreast').textContent.startsWith('0.0 of')").await
@@ -117,6 +116,10 @@ async fn a_small_league_runs_is_cancelled_sorted_and_saved() -> Result<()> {
         assert_eq!(downloads.file("league.csv").await?.lines().count(), 111);
         page.choose("#runs-of", "The book’s explorer").await?;
         page.wait_for_text("#runs-title", "22 runs").await?;
+        // Anywhere in a row.
+        page.click_css(".runs tbody tr td:nth-child(2)").await?;
+        page.wait_for_text("#count", "stop 0 /").await?;
+        page.back().await?;
         page.click_css(".runs tbody .open").await?;
         page.wait_for_text("#count", "stop 0 /").await
     })
@@ -139,6 +142,38 @@ async fn dropped_files_are_a_league_and_bad_ones_are_told() -> Result<()> {
         page.wait_for_text("#runs-title", "10 runs").await?;
         page.wait_for_text(".refused", "bad.maze").await?;
         assert!(page.text(".refused").await?.contains("Line 1"));
+        Ok(())
+    })
+    .await
+}
+
+#[tokio::test]
+async fn a_dropped_folder_is_a_league_with_all_below_it() -> Result<()> {
+    let folder = std::env::temp_dir().join(format!("line-maze-folder-{}", std::process::id()));
+    std::fs::create_dir_all(folder.join("room/of/mazes"))?;
+    for name in ["a.maze", "room/b.maze", "room/of/mazes/c.maze", ".hidden"] {
+        std::fs::copy(e2e::root().join("mazes/tree.maze"), folder.join(name))?;
+    }
+    std::fs::write(folder.join("room/notes.txt"), "no maze")?;
+    let dropped = compare_room("compare", async |page| {
+        page.drop_paths(&[&folder]).await?;
+        page.wait_for_text("#league-status", "All 3 mazes are run").await?;
+        page.wait_for_text("#runs-title", "15 runs").await?;
+        page.wait_for_text(".refused", "notes.txt").await
+    })
+    .await;
+    std::fs::remove_dir_all(folder)?;
+    dropped
+}
+
+#[tokio::test]
+async fn a_maze_without_a_start_is_compared_with_nothing() -> Result<()> {
+    compare_room("compare", async |page| {
+        page.paste("line-maze: 1\n\n+---+---F\n").await?;
+        page.wait_for_text(".parting", "Two have to drive").await?;
+        page.wait_for_text(".orders", "The maze has no start").await?;
+        page.wait_for_text(".results .bests", "The maze has no start").await?;
+        assert_eq!(page.count(".orders button").await?, 0);
         Ok(())
     })
     .await

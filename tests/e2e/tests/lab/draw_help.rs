@@ -142,8 +142,7 @@ async fn a_maze_is_resized_by_mouse_and_by_keyboard() -> Result<()> {
         page.wait_for("dialog[open] #resize-width").await?;
         page.fill("#resize-width", "1").await?;
         page.wait_for_text("dialog", "2 to 1000").await?;
-        page.press("Escape").await?;
-        page.wait_for_no("dialog").await
+        page.leave_dialog().await
     })
     .await
 }
@@ -172,8 +171,7 @@ async fn a_maze_is_given_title_source_and_note() -> Result<()> {
         for key in ["O", "n", "e"] {
             page.press(key).await?;
         }
-        page.press("Escape").await?;
-        page.wait_for_no("dialog").await?;
+        page.leave_dialog().await?;
         page.wait_for_text(".stage .bar b", "My maze").await?;
         page.press("Enter").await?;
         page.wait_for("dialog[open] #about-title").await?;
@@ -220,6 +218,39 @@ async fn a_maze_is_pasted_by_hand() -> Result<()> {
         page.wait_for_no("dialog").await?;
         page.wait_for("#drawing svg.walls").await?;
         has_cells(page, 1).await
+    })
+    .await
+}
+
+#[tokio::test]
+async fn a_size_that_cannot_be_opens_nothing() -> Result<()> {
+    draw_room(Setup::default(), async |page| {
+        let before = figure_3_1()?;
+        for side in ["1", "5000", "3.7", "-4", ""] {
+            page.press("Alt+n").await?;
+            page.wait_for("#new-width").await?;
+            page.fill("#new-width", side).await?;
+            page.click("Begin").await?;
+            page.wait_for_text("#new-width-hint", "from 2 to 1000").await?;
+            assert_eq!(page.attribute("#new-width", "aria-invalid").await?, "true");
+            page.wait_until("document.activeElement?.id === 'new-width'").await?;
+            keeps(page, &before).await?;
+            page.leave_dialog().await?;
+        }
+        Ok(())
+    })
+    .await
+}
+
+#[tokio::test]
+async fn the_undo_of_a_message_goes_with_the_next_change() -> Result<()> {
+    draw_room(Setup::default(), async |page| {
+        page.click_css(".shelf li:nth-child(6) button").await?;
+        page.wait_for_text(".toast", "is open").await?;
+        page.click("Walls").await?;
+        page.wait_for_no(".toast").await?;
+        page.press_times("Control+z", 2).await?;
+        keeps(page, &figure_3_1()?).await
     })
     .await
 }

@@ -69,21 +69,18 @@ async fn tour(page: &Page, name: &str, look: &mut impl AsyncFnMut(&str) -> Resul
         page.press(key).await?;
         page.wait_for("dialog[open]").await?;
         look(key).await?;
-        page.press("Escape").await?;
-        page.wait_for_no("dialog").await?;
+        page.leave_dialog().await?;
     }
     page.click_css("header [aria-label=Share]").await?;
     page.wait_for("dialog .qr").await?;
     look("the share dialog").await?;
-    page.press("Escape").await?;
-    page.wait_for_no("dialog").await?;
+    page.leave_dialog().await?;
     for title in
         ["Direction sums, right first", "Full mapping", "Cornell 3, with path planning", "Trémaux’s marks"]
     {
         page.press("o").await?;
         page.choose("#explorer-name", title).await?;
-        page.press("Escape").await?;
-        page.wait_for_no("dialog").await?;
+        page.leave_dialog().await?;
         page.wait_until(&format!("document.querySelector('#explorer').ariaLabel.includes('{title}')"))
             .await?;
         page.wait_for("#inspector").await?;
@@ -94,8 +91,7 @@ async fn tour(page: &Page, name: &str, look: &mut impl AsyncFnMut(&str) -> Resul
     page.press("t").await?;
     page.wait_for("dialog #leads").await?;
     look("the turn-list lab").await?;
-    page.press("Escape").await?;
-    page.wait_for_no("dialog").await?;
+    page.leave_dialog().await?;
     page.press("p").await?;
     page.wait_for(".projector").await?;
     look("the projector").await?;
@@ -111,8 +107,7 @@ async fn tour(page: &Page, name: &str, look: &mut impl AsyncFnMut(&str) -> Resul
     from_menu(page, "New…").await?;
     page.wait_for("dialog[open] #new-width").await?;
     look("a new maze").await?;
-    page.press("Escape").await?;
-    page.wait_for_no("dialog").await?;
+    page.leave_dialog().await?;
     page.click_css("#drawn-as button:nth-child(2)").await?;
     page.wait_for("#drawing svg.walls").await?;
     look("walls").await?;
@@ -267,8 +262,7 @@ async fn dialogs_take_the_focus_and_give_it_back() -> Result<()> {
                     "document.activeElement === document.body || !!document.activeElement.closest('dialog')";
                 assert_eq!(page.eval(inside).await?, true, "{dialog}");
             }
-            page.press("Escape").await?;
-            page.wait_for_no("dialog").await?;
+            page.leave_dialog().await?;
             let back = page.focused().await?;
             let back = back.split(" (").next().unwrap_or_default().replace('\n', " ");
             assert_eq!(back.split_whitespace().collect::<Vec<_>>().join(" "), dialog);

@@ -10,6 +10,7 @@ mod drawing;
 mod everyone;
 mod figure_3_1;
 mod files;
+mod habits;
 mod offline;
 mod others;
 mod serial;

@@ -28,8 +28,7 @@ const OTHERS: [(&str, &str); 13] = [
 async fn choose(page: &Page, title: &str) -> Result<()> {
     page.press("o").await?;
     page.choose("#explorer-name", title).await?;
-    page.press("Escape").await?;
-    page.wait_for_no("dialog").await?;
+    page.leave_dialog().await?;
     page.wait_for_text("#explorer", title).await?;
     page.wait_for("#inspector").await
 }
@@ -67,7 +66,7 @@ async fn every_explorer_is_chosen_and_stepped() -> Result<()> {
         // The book's room comes back as it was.
         page.press("o").await?;
         page.choose("#explorer-name", "The book’s explorer").await?;
-        page.press("Escape").await?;
+        page.leave_dialog().await?;
         page.wait_for(".nodes-card").await
     })
     .await
@@ -115,7 +114,7 @@ async fn parex_and_cornell_show_path_and_bytes() -> Result<()> {
         assert_eq!(row(page, 2).await?, ["1", "5", "9", "10", "11", "12", "8", "4"]);
         page.press("o").await?;
         page.choose("#rule", "basic: only where it was two steps ago").await?;
-        page.press("Escape").await?;
+        page.leave_dialog().await?;
         page.press("End").await?;
         page.wait_for("#result").await?;
         assert_eq!(row(page, 2).await?.len(), 14);

@@ -230,8 +230,7 @@ async fn settings_change_the_run() -> Result<()> {
         page.press("o").await?;
         page.choose("#order", "right, straight, left").await?;
         page.wait_for_text("#count", "/ 21").await?;
-        page.press("Escape").await?;
-        page.wait_for_no("dialog").await?;
+        page.leave_dialog().await?;
         assert!(page.text(".top").await?.contains("R → S → L"));
         page.press("End").await?;
         assert_eq!(page.texts("#result .letters b").await?, ["R", "S", "S", "L", "L"]);
@@ -246,7 +245,7 @@ async fn settings_change_the_run() -> Result<()> {
         assert!(page.text(".top").await?.contains("random 7"));
         page.click("As in the book").await?;
         page.wait_for_text(".top", "S → R → L").await?;
-        page.press("Escape").await?;
+        page.leave_dialog().await?;
         steps_to_the_end(page).await
     })
     .await
@@ -258,7 +257,7 @@ async fn a_bot_that_fails_says_how() -> Result<()> {
         page.press("o").await?;
         page.fill("#epsilon", "1000").await?;
         page.wait_for_text("#count", "/ 4").await?;
-        page.press("Escape").await?;
+        page.leave_dialog().await?;
         page.press("End").await?;
         assert_eq!(page.text("#said .case").await?, "LOST");
         let said = page.text("#said p").await?;
@@ -276,7 +275,7 @@ async fn a_bot_that_fails_says_how() -> Result<()> {
             assert_eq!(page.attribute("#node-max", "aria-invalid").await?, "true");
             assert!(page.text("#count").await?.contains("/ 6"), "{wrong} changed the run");
         }
-        page.press("Escape").await?;
+        page.leave_dialog().await?;
         page.press("End").await?;
         assert_eq!(page.text("#said .case").await?, "TABLE FULL");
         let said = page.text("#said p").await?;
@@ -295,8 +294,7 @@ async fn names_lead_to_the_glossary() -> Result<()> {
                 "(({{ top, bottom }}) => top >= 0 && bottom <= innerHeight)(document.getElementById('name-{name}').getBoundingClientRect())"
             );
             page.wait_until(&inside).await?;
-            page.press("Escape").await?;
-            page.wait_for_no("dialog").await
+            page.leave_dialog().await
         };
         page.press("PageDown").await?;
         page.click_css("[data-var=returning]").await?;
