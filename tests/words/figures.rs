@@ -46,13 +46,13 @@ fn figure_3_1_stop_by_stop() {
            A new place becomes node 5: the bot drives straight on, to the west (3).
         12 NEW NODE: This place matches no remembered node, so it becomes node 6, with its back path to the east (1). The bot drives straight on, to the west (3): of the unvisited paths, the first in its preference order.
            A new place becomes node 6: the bot drives straight on, to the west (3).
-        13 RETURN-UNKNOWN: The bot met node 1 again by a path it had never taken. Among nodes 1 to 6 there are still unvisited paths (2 east, 3 south, 5 north, 6 north), so it turns round, to the east (1), and crosses this path out.
+        13 RETURN-UNKNOWN: The bot met node 1 again by a path it had never taken. Among nodes 1 to 6, paths are still unvisited (2 east, 3 south, 5 north, 6 north), so it turns round, to the east (1), and crosses this path out.
            At node 1 again, by a new path. Other paths are still unvisited, so the bot turns round.
         14 RETURN-KNOWN: The bot is back at node 6, returning: the path to the west (3) is given up. The bot turns left, to the north (0): its only unvisited path, so returning is false again.
            Back at node 6: the bot turns left, to the north (0), an unvisited path.
         15 CORNER: There is only one way on, so there is nothing to decide: the bot turns left, to the west (3).
            Only one way on: the bot turns left, to the west (3).
-        16 RETURN-UNKNOWN: The bot met node 2 again by a path it had never taken. Among nodes 2 to 6 there are still unvisited paths (3 south, 5 north), so it turns round, to the east (1), and crosses this path out.
+        16 RETURN-UNKNOWN: The bot met node 2 again by a path it had never taken. Among nodes 2 to 6, paths are still unvisited (3 south, 5 north), so it turns round, to the east (1), and crosses this path out.
            At node 2 again, by a new path. Other paths are still unvisited, so the bot turns round.
         17 CORNER: There is only one way on, so there is nothing to decide: the bot turns right, to the south (2). It is still returning and crosses this line out.
            Only one way on: the bot turns right, to the south (2).
@@ -125,7 +125,7 @@ fn every_stop_names_its_node_its_way_out_and_its_case() {
 fn stop_13_lists_what_is_unvisited_and_turns_round() {
     let told = told(&walk(&figure_3_1()), 13);
     assert_eq!(told.case, "RETURN-UNKNOWN");
-    assert!(told.text().contains("Nodes 1 to 6"));
+    assert!(told.text().contains("Among nodes 1 to 6, paths are still unvisited"));
     assert!(told.said.contains(&Span::Strong("turns round".into())));
     let way =
         |span: &Span| if let Span::Way { node, heading } = *span { Some((node, heading)) } else { None };

@@ -150,7 +150,7 @@ fn unknown_uturn(trace: &Trace, frame: &Frame, step: Step) -> Narration {
         said.text("It still has an unvisited path")
     } else {
         let said = said.text("Among nodes ").number(m.into()).text(" to ").number(last.into());
-        said.text(" there are still unvisited paths")
+        said.text(", paths are still unvisited")
     };
     let said = unvisited(said, trace, frame, m);
     let said = said.text(", so it ").turn(Turn::Back, step.departure()).text(", and crosses this path out.");
