@@ -5,20 +5,22 @@ use crate::web::erase::{mouse, part};
 use leptos::prelude::*;
 
 use super::lazy::lazy;
-use super::state::{Round, lab};
+use super::state::{Lab, Round, lab};
 use super::step::transport::{Buttons, Counter};
 use super::step::{Length, Said, Stage};
 
 lazy! { dialogs;
     /// The room of the book's explorer, filled.
     pub fn room() -> AnyView {
-        filled(view! { <Stage /> }.into_any(), view! { <Said length=Length::Short /> {part(letters)} }.into_any())
+        // Asked for here: what runs later, once this part has come, may have no context.
+        let lab = lab();
+        let words = view! { <Said length=Length::Short /> {part(move || letters(lab))} };
+        filled(view! { <Stage /> }.into_any(), words.into_any())
     }
 }
 
 /// The turn list, once the exploration is over.
-fn letters() -> Option<AnyView> {
-    let lab = lab();
+fn letters(lab: Lab) -> Option<AnyView> {
     let over = lab.round.get() == Round::Explore
         && lab.frame.with(|frame| frame.as_ref().is_some_and(|frame| frame.outcome.is_some()));
     let letters = lab.run.with(|run| {
