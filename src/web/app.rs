@@ -23,7 +23,7 @@ pub fn App() -> impl IntoView {
     let own = storage::maze().unwrap_or_else(samples::figure_3_1);
     let motion = if browser::reduced_motion() { Motion::Reduced } else { Motion::Smooth };
     let lab = Lab::new(own, storage::settings(), storage::explorer(), motion);
-    super::state::provide(lab);
+    provide_context(lab);
     follow_address(lab, browser::hash().as_str());
     keep(lab);
     show_theme(lab);

@@ -2,7 +2,9 @@
 //! shows. `cargo xtask dist` splits the wasm at the functions marked with [`lazy!`]; other builds hold all in
 //! one piece, and the functions answer at once.
 
-use std::future::Future;
+use std::future::{Future, poll_fn};
+use std::pin::Pin;
+use std::task::Poll;
 
 use futures_util::FutureExt;
 use leptos::prelude::*;
@@ -56,14 +58,19 @@ where
     }
     let arrival = RwSignal::new(Arrival::Awaited);
     let place = StoredValue::new_local(None);
-    let wait = move |coming: std::pin::Pin<Box<ScopedFuture<F>>>| {
-        leptos::task::spawn_local(async move {
-            let loaded = coming.await;
-            let state = if loaded.is_ok() { Arrival::Here } else { Arrival::Failed };
-            // The view may be left already.
-            let _ = place.try_set_value(loaded.ok());
-            let _ = arrival.try_set(state);
-        });
+    let wait = move |mut coming: Pin<Box<ScopedFuture<F>>>| {
+        leptos::task::spawn_local(poll_fn(move |context| {
+            // A part makes its view as soon as it is here. Where its place is gone meanwhile, nothing may be made:
+            // the view would ask for what its owner no longer has.
+            if place.is_disposed() {
+                return Poll::Ready(());
+            }
+            coming.as_mut().poll(context).map(|loaded| {
+                let state = if loaded.is_ok() { Arrival::Here } else { Arrival::Failed };
+                place.set_value(loaded.ok());
+                arrival.set(state);
+            })
+        }));
     };
     wait(first);
     let again = StoredValue::new_local(move || wait(begin()));

@@ -5,7 +5,6 @@ use leptos::prelude::*;
 mod shown;
 
 use std::any::Any;
-use std::cell::Cell;
 use std::sync::Arc;
 
 use super::played::Played;
@@ -96,20 +95,10 @@ pub struct Lab {
     pub theme: RwSignal<storage::Theme>,
 }
 
-thread_local! {
-    static LAB: Cell<Option<Lab>> = const { Cell::new(None) };
-}
-
-/// The state of the page. There is one, also where a part of the page comes after its place is gone.
+/// The state of the page.
 #[must_use]
 pub fn lab() -> Lab {
-    LAB.get().unwrap_or_else(expect_context::<Lab>)
-}
-
-/// Makes this the state of the page, for as long as the page lives.
-pub fn provide(lab: Lab) {
-    LAB.set(Some(lab));
-    provide_context(lab);
+    expect_context::<Lab>()
 }
 
 impl Lab {

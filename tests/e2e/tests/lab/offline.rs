@@ -67,3 +67,32 @@ async fn a_new_version_waits_until_a_person_wants_it() -> Result<()> {
     })
     .await
 }
+
+/// Holds back the part of the page with the errata until `window.release()`.
+const HELD: &str = "
+    const fetched = window.fetch.bind(window);
+    const released = new Promise((resolve) => { window.release = resolve; });
+    window.fetch = async (...asked) => {
+        if (String(asked[0]?.url ?? asked[0]).includes('errata')) { window.held = true; await released; }
+        return fetched(...asked);
+    };";
+
+#[tokio::test]
+async fn a_part_that_comes_when_its_place_is_gone_is_not_shown() -> Result<()> {
+    lab(Setup::default().script(HELD), async |page| {
+        page.press_times("PageDown", 13).await?;
+        page.wait_until("window.held").await?;
+        page.press("p").await?;
+        page.wait_for(".projector").await?;
+        page.run("window.release()").await?;
+        page.wait_until(
+            "performance.getEntriesByType('resource').some(entry => /errata.*wasm/.test(entry.name))",
+        )
+        .await?;
+        page.press("p").await?;
+        page.wait_for(".errata-notes > summary").await?;
+        page.press("ArrowRight").await?;
+        page.wait_for_text("#count", "stop 14 /").await
+    })
+    .await
+}
