@@ -1,9 +1,12 @@
 //! Entering a recording anywhere.
 
+use line_maze_lab::event::Outcome;
 use line_maze_lab::explorer::name::Name;
+use line_maze_lab::geometry::{Heading, Point};
 use line_maze_lab::maze::generate::{Recipe, generate};
+use line_maze_lab::maze::{Bounds, Kind, Maze, Start, samples};
 use line_maze_lab::recording::{Cursor, Recording};
-use line_maze_lab::run::{AnyRun, record};
+use line_maze_lab::run::{AnyRun, explore, record};
 use line_maze_lab::settings::Settings;
 use proptest::prelude::*;
 
@@ -98,4 +101,33 @@ proptest! {
             }
         }
     }
+}
+
+/// What the referee sees has its own word: the case of the last stop is not why the run is over.
+#[test]
+fn a_run_that_circles_is_called_that() {
+    let maze = samples::figure_3_1();
+    let mut circled = 0;
+    for &name in &Name::ALL[1..] {
+        let run = crate::hands::recording(&maze, name);
+        if let Outcome::Circling { .. } = run.outcome() {
+            let told = run.narrate(&run.at(run.stops()));
+            assert_eq!(told.case, "circling", "{name}");
+            circled += 1;
+        }
+    }
+    assert!(circled > 2);
+}
+
+#[test]
+fn who_cannot_start_between_walls_is_told_of_walls() {
+    let mut maze = Maze::new(Bounds::new(Point::new(0, 0), Point::new(1, 1)).unwrap());
+    maze.kind = Kind::Wall;
+    maze.set_start(Some(Start { at: Point::new(0, 0), heading: Heading::North }));
+    let why = |maze: &Maze| explore(maze, &Settings::default()).unwrap_err().to_string();
+    assert!(why(&maze).contains("walls all round: open one side"), "{}", why(&maze));
+    assert!(maze.draw(Point::new(0, 0), Heading::North) && maze.draw(Point::new(0, 0), Heading::East));
+    assert!(why(&maze).ends_with("a square with one opening, or choose another explorer."), "{}", why(&maze));
+    maze.kind = Kind::Line;
+    assert!(why(&maze).ends_with("at the end of a line, or choose another explorer."), "{}", why(&maze));
 }
