@@ -210,6 +210,8 @@ pub enum Cut {
     ConnectionLost,
     /// A line was lost on the way: what came after makes no sense without it.
     Gap,
+    /// What it told of a stop does not fit the drive before, or itself.
+    Misfit,
 }
 
 impl Outcome {
@@ -228,6 +230,7 @@ impl Outcome {
             Self::Cut(Cut::Stopped) => "stopped",
             Self::Cut(Cut::ConnectionLost) => "connection-lost",
             Self::Cut(Cut::Gap) => "gap",
+            Self::Cut(Cut::Misfit) => "misfit",
         }
     }
 }
@@ -259,6 +262,9 @@ impl fmt::Display for Outcome {
                 Cut::Stopped => "stopped by hand",
                 Cut::ConnectionLost => "connection lost",
                 Cut::Gap => "a line of the robot was lost: the rest of its run is not known",
+                Cut::Misfit => {
+                    "what it told of its next stop does not fit where it drove: the rest of its run is not known"
+                }
             }),
         }
     }

@@ -5,6 +5,7 @@
 
 pub mod check;
 pub mod demo;
+pub mod ear;
 pub mod fields;
 pub mod floor;
 pub mod form;

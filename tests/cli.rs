@@ -14,6 +14,8 @@ mod compare;
 mod explorers;
 #[path = "cli/files.rs"]
 mod files;
+#[path = "support/firmware.rs"]
+mod firmware;
 #[path = "cli/league.rs"]
 mod league;
 #[path = "cli/options.rs"]

@@ -14,6 +14,9 @@ fuzz_target!(|bytes: &[u8]| {
             check(line);
         }
     }
+    // A CR ends a line as an LF does.
+    let with_lf: Vec<u8> = bytes.iter().map(|&byte| if byte == b'\r' { b'\n' } else { byte }).collect();
+    assert_eq!(heard(bytes), heard(&with_lf));
     // Chance alone would hardly ever find a checksum.
     for line in bytes.split(|&byte| byte == b'\n').filter(|line| line.len() <= MAX_LINE - 3) {
         if let Ok(body) = core::str::from_utf8(line)
@@ -34,6 +37,12 @@ fuzz_target!(|bytes: &[u8]| {
         }
     }
 });
+
+/// What is made of bytes, in words.
+fn heard(bytes: &[u8]) -> Vec<String> {
+    let mut decoder = Decoder::new();
+    bytes.iter().map(|&byte| format!("{:?}", decoder.push(byte))).collect()
+}
 
 /// What is understood survives a round trip.
 fn check(line: Line<'_>) {

@@ -110,6 +110,31 @@ impl DemoRobot {
         }
     }
 
+    /// Says nothing unasked from now on, if it is on.
+    pub fn hush(&mut self) {
+        if let Power::On { robot, .. } = &mut self.power {
+            robot.hush();
+        }
+    }
+
+    /// Whether it is on and has room for the answer to another request.
+    #[must_use]
+    pub fn takes_more(&self) -> bool {
+        self.mind().is_some_and(Robot::has_room)
+    }
+
+    /// Whether it is on and does not drive.
+    #[must_use]
+    pub fn stands(&self) -> bool {
+        self.mind().is_some_and(Robot::stands)
+    }
+
+    /// Whether it is on, stands, and has said everything.
+    #[must_use]
+    pub fn is_done(&self) -> bool {
+        self.on_the_way.is_empty() && self.mind().is_some_and(|robot| robot.stands() && robot.is_silent())
+    }
+
     /// Where it is in the maze.
     #[must_use]
     pub fn body(&mut self) -> Option<&mut IdealBody> {

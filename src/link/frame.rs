@@ -1,11 +1,11 @@
 //! Lines on the wire: cut out of a stream of bytes, checked, and sealed (`PROTOCOL.md`, “Lines”).
 //!
-//! A line is at most 80 bytes of printable ASCII, ended by LF. Its last three bytes are `*` and a CRC-8 of
-//! what stands before, in upper-case hex. No heap: a board reads with this very code.
+//! A line is at most 80 bytes of printable ASCII, ended by LF, CR, or CR LF. Its last three bytes are `*` and a
+//! CRC-8 of what stands before, in upper-case hex. No heap: a board reads with this very code.
 
 use crc::{CRC_8_SMBUS, CRC_16_IBM_3740, Crc, NoTable};
 
-/// The most bytes of a line, without its LF.
+/// The most bytes of a line, without its end.
 pub const MAX_LINE: usize = 80;
 
 // Without tables: a board has little room for them, and lines are short.
@@ -87,8 +87,8 @@ pub enum Heard<'a> {
 
 #[derive(Clone, Copy, Debug)]
 enum Going {
-    /// Taking bytes; whether the one before was a CR, which may only stand before an LF.
-    Taking { cr: bool },
+    /// Taking bytes.
+    Taking,
     /// A byte was bad: waiting for the end of the line.
     Spoilt(LineError),
     /// Too long, and said: waiting for its end.
@@ -122,19 +122,20 @@ impl Decoder {
     /// Before the first byte.
     #[must_use]
     pub const fn new() -> Self {
-        Self { bytes: [0; MAX_LINE], len: 0, going: Going::Taking { cr: false } }
+        Self { bytes: [0; MAX_LINE], len: 0, going: Going::Taking }
     }
 
     /// Takes a byte.
     pub fn push(&mut self, byte: u8) -> Heard<'_> {
-        if byte == b'\n' {
+        if is_end(byte) {
             let len = core::mem::take(&mut self.len);
-            let going = core::mem::replace(&mut self.going, Going::Taking { cr: false });
+            let going = core::mem::replace(&mut self.going, Going::Taking);
             return match going {
                 Going::Dropping => Heard::Nothing,
                 Going::Spoilt(error) => Heard::Bad(error),
-                Going::Taking { .. } if len == 0 => Heard::Nothing,
-                Going::Taking { .. } => match check(&self.bytes[..len]) {
+                // An empty line is nothing: so the LF of a CR LF is, and whoever reads need not remember the CR.
+                Going::Taking if len == 0 => Heard::Nothing,
+                Going::Taking => match check(&self.bytes[..len]) {
                     Ok(line) => Heard::Line(line),
                     Err(error) => Heard::Bad(error),
                 },
@@ -142,31 +143,27 @@ impl Decoder {
         }
         match (self.going, byte) {
             (Going::Dropping | Going::Spoilt(_), _) => Heard::Nothing,
-            // At the beginning of a line it may belong to an LF CR.
-            (Going::Taking { .. }, b'\r') => {
-                self.going = Going::Taking { cr: self.len > 0 };
-                Heard::Nothing
-            }
-            // Were a CR dropped in the middle, a flipped byte could pass for one and shorten the line unseen.
-            (Going::Taking { cr: true }, _) => {
-                self.going = Going::Spoilt(LineError::Byte(b'\r'));
-                Heard::Nothing
-            }
-            (Going::Taking { cr: false }, b' '..=b'~') if self.len < MAX_LINE => {
+            (Going::Taking, b' '..=b'~') if self.len < MAX_LINE => {
                 self.bytes[self.len] = byte;
                 self.len += 1;
                 Heard::Nothing
             }
-            (Going::Taking { cr: false }, b' '..=b'~') => {
+            (Going::Taking, b' '..=b'~') => {
                 self.going = Going::Dropping;
                 Heard::Bad(LineError::TooLong)
             }
-            (Going::Taking { cr: false }, _) => {
+            (Going::Taking, _) => {
                 self.going = Going::Spoilt(LineError::Byte(byte));
                 Heard::Nothing
             }
         }
     }
+}
+
+/// Whether a byte ends a line: an LF as programs send it, a CR as terminals do, and each of a CR LF.
+#[must_use]
+pub const fn is_end(byte: u8) -> bool {
+    matches!(byte, b'\n' | b'\r')
 }
 
 fn check(bytes: &[u8]) -> Result<Line<'_>, LineError> {

@@ -15,6 +15,26 @@ use crate::trace::{Recorder, Trace};
 /// More stops than this are not followed.
 pub const MAX_STOPS: u32 = 20_000;
 
+/// How far a drive may lead aside of its heading, as a part of its length: real robots measure where they are.
+const ASIDE: u32 = 8;
+/// A drive may lead so far aside in any case: readings are rounded.
+const ASIDE_MS: u32 = 20;
+
+/// Whether a drive that led so far along its heading may have led so far aside (`PROTOCOL.md`, “What the robot
+/// says unasked”).
+#[must_use]
+pub const fn is_along(along: i32, aside: i32) -> bool {
+    let length = if along > 0 { along.unsigned_abs() } else { 0 };
+    let most = if length / ASIDE > ASIDE_MS { length / ASIDE } else { ASIDE_MS };
+    aside.unsigned_abs() <= most && along >= -(ASIDE_MS as i32)
+}
+
+/// Whether a stop may be a run's first: straight on from the start.
+#[must_use]
+pub const fn is_first(at: &Reached) -> bool {
+    is_along(at.y, at.x)
+}
+
 /// What the robot was asked to do.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Errand {
@@ -76,6 +96,8 @@ pub struct LiveRun {
     heading: Heading,
     ptr: u32,
     returning: bool,
+    /// The highest place in the table that was told: the next new node has the next one at most.
+    most_node: u32,
     at: Option<(Reached, Sighting)>,
     difference: Option<Difference>,
     end: Option<Outcome>,
@@ -118,6 +140,7 @@ impl LiveRun {
             heading: Heading::North,
             ptr: 1,
             returning: false,
+            most_node: 0,
             at: None,
             difference: None,
             end: None,
@@ -160,22 +183,41 @@ impl LiveRun {
         if self.end.is_some() {
             return;
         }
+        if self.stops() >= MAX_STOPS {
+            self.end = Some(Outcome::TooManyStops { limit: MAX_STOPS });
+            return;
+        }
         // Two `at` lines in a row: the `do` between them is lost, and with it where the robot went.
-        if self.at.is_some() || self.stops() >= MAX_STOPS {
+        if self.at.is_some() || self.has_missed(&at) {
             return self.cut(Cut::Gap);
         }
         match self.sighting(&at) {
-            Some(sighting) => self.at = Some((at, sighting)),
-            None => self.cut(Cut::Gap),
+            Some(sighting) => {
+                self.most_node = self.most_node.max(u32::from(at.node));
+                self.at = Some((at, sighting));
+            }
+            None => self.cut(Cut::Misfit),
         }
     }
 
-    /// What the robot must have seen: it drove straight on from the stop before, along its heading.
+    /// Whether the nodes' count tells of a stop that was not heard of.
+    fn has_missed(&self, at: &Reached) -> bool {
+        let known = match (self.errand, at.kind) {
+            // Who learns the maze has met it before.
+            (Errand::Explore(_), Kind::Known | Kind::Unknown) => self.most_node,
+            // In a run by the list a node is told for each letter.
+            (Errand::Explore(_) | Errand::Route | Errand::Unasked, _) => self.most_node + 1,
+        };
+        u32::from(at.node) > known
+    }
+
+    /// What the robot must have seen: it drove straight on from the stop before, along its heading. Where it
+    /// measures its way, it comes out a little aside; nothing where that is too much.
     fn sighting(&self, at: &Reached) -> Option<Sighting> {
         let (x, y) = (at.x.wrapping_sub(self.before.0), at.y.wrapping_sub(self.before.1));
         let (dx, dy) = self.heading.vector();
         let (along, aside) = if dx == 0 { (y.wrapping_mul(dy), x) } else { (x.wrapping_mul(dx), y) };
-        let time_diff = u32::try_from(along).ok().filter(|_| aside == 0)?;
+        let time_diff = is_along(along, aside).then(|| u32::try_from(along).unwrap_or(0))?;
         let onward = at.ways.count();
         let (finish, fits) = match at.kind {
             Kind::Finish => (Finish::Yes, true),

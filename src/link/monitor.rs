@@ -6,7 +6,7 @@ use alloc::string::String;
 use alloc::vec::Vec;
 use core::fmt::Write;
 
-use super::frame::LineError;
+use super::frame::{LineError, is_end};
 
 /// Lines that are kept.
 pub const KEPT_LINES: usize = 10_000;
@@ -143,15 +143,12 @@ impl Monitor {
         if self.coming.is_empty() {
             self.coming_ms = now_ms;
         }
-        match byte {
-            b'\n' => self.end_line(Mark::Plain),
-            b'\r' => {}
-            _ => {
-                self.coming.push(byte);
-                if self.coming.len() >= LONGEST {
-                    self.end_line(Mark::Strange);
-                }
-            }
+        if is_end(byte) {
+            return self.end_line(Mark::Plain);
+        }
+        self.coming.push(byte);
+        if self.coming.len() >= LONGEST {
+            self.end_line(Mark::Strange);
         }
     }
 
@@ -176,7 +173,7 @@ impl Monitor {
 
     /// Logs what was sent, line by line.
     pub(super) fn sent(&mut self, bytes: &[u8], now_ms: u64) {
-        for line in bytes.split(|&byte| byte == b'\n').filter(|line| !line.is_empty()) {
+        for line in bytes.split(|&byte| is_end(byte)).filter(|line| !line.is_empty()) {
             self.push(LogLine { ms: now_ms, way: Way::Out, bytes: line.into(), mark: Mark::Plain });
         }
     }

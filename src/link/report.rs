@@ -9,7 +9,7 @@ mod code;
 mod told;
 
 pub use code::Code;
-pub use told::{Beat, Chose, End, Ended, Ir, Kind, NodeLine, Origin, Reached, Ready, Said};
+pub use told::{Beat, Chose, End, Ended, Ir, Kind, NodeLine, Origin, Reached, Ready, Said, TYPED};
 
 /// A line from the robot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

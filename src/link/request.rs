@@ -20,6 +20,8 @@ pub struct Asked<'a> {
 pub enum Request<'a> {
     /// Who are you? Answered by a `ready` line, then `ok`.
     Hi,
+    /// What may be typed?
+    Help,
     /// A turn list follows.
     TurnsBegin(Upload),
     /// A piece of it.
@@ -141,6 +143,7 @@ impl<'a> Request<'a> {
     pub const fn may_be_typed(self) -> bool {
         match self {
             Self::Hi
+            | Self::Help
             | Self::Stop
             | Self::Get(_)
             | Self::Watch(_)
@@ -161,6 +164,7 @@ impl<'a> Request<'a> {
         let verb = f.word().ok_or(Code::Verb)?;
         match verb {
             "hi" => f.end(Self::Hi).ok_or(Code::Args),
+            "help" => f.end(Self::Help).ok_or(Code::Args),
             "stop" => f.end(Self::Stop).ok_or(Code::Args),
             "place" => f.end(Self::Place).ok_or(Code::Args),
             "nodes" => Self::nodes(&mut f).ok_or(Code::Args),
@@ -221,6 +225,7 @@ impl<'a> Request<'a> {
         let mut line = Writer::new();
         match self {
             Self::Hi => line.word("hi"),
+            Self::Help => line.word("help"),
             Self::TurnsBegin(Upload { id, len, crc }) => {
                 line.word("turns").word("begin").number(id).number(len).hex16(crc)
             }

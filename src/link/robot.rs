@@ -192,6 +192,24 @@ impl<B: Body, M: Memory, const NODES: usize> Robot<B, M, NODES> {
         }
     }
 
+    /// Whether it does not drive.
+    #[must_use]
+    pub fn stands(&self) -> bool {
+        self.going == Going::Idle
+    }
+
+    /// Whether everything is said that it had to say.
+    #[must_use]
+    pub const fn is_silent(&self) -> bool {
+        matches!(self.reading, Reading::Nothing) && self.output.is_empty()
+    }
+
+    /// Whether the answer to another request has room: who does not wait for answers waits for this.
+    #[must_use]
+    pub const fn has_room(&self) -> bool {
+        matches!(self.reading, Reading::Nothing) && self.output.has_room_for_answer()
+    }
+
     /// Says nothing unasked until it is told how much to tell.
     pub const fn hush(&mut self) {
         self.level = Level::Off;
@@ -235,6 +253,7 @@ impl<B: Body, M: Memory, const NODES: usize> Robot<B, M, NODES> {
         let running = self.going != Going::Idle;
         match request {
             Request::Hi => self.say_ready(),
+            Request::Help => return Ok(Answer::Ok(Said::Typed)),
             Request::Stop if running => {
                 self.body.halt(now_ms);
                 // The `ok` comes first, then the `end`.

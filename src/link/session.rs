@@ -10,7 +10,7 @@ use alloc::vec::Vec;
 use core::fmt::{self, Write};
 
 use super::frame::{Line, Sum, crc8};
-use super::live::{Errand, LiveRun, Mind};
+use super::live::{Errand, LiveRun, Mind, is_first};
 use super::monitor::Way;
 use super::report::{Report, Said};
 use super::request::{Asked, Request};
@@ -67,7 +67,7 @@ impl Recorder {
     /// Takes what was sent, line by line.
     pub(super) fn sent(&mut self, bytes: &[u8], now_ms: u64) {
         let text = core::str::from_utf8(bytes).unwrap_or_default();
-        for line in text.lines().filter(|line| !line.is_empty()) {
+        for line in text.split(['\n', '\r']).filter(|line| !line.is_empty()) {
             let body = line.rsplit_once('*').map_or(line, |(body, _)| body).into();
             self.push(Utterance { ms: now_ms.saturating_sub(self.begin_ms), way: Way::Out, body });
         }
@@ -262,7 +262,7 @@ fn begin(runs: &mut Vec<LiveRun>, errand: Errand, pace: Pace) {
 fn fold(runs: &mut Vec<LiveRun>, body: &str, mind: &mut Mind, pace: Pace) {
     match Report::parse(body) {
         Some(Report::At(at)) => {
-            if at.x == 0 && runs.last().is_none_or(|run| run.end().is_some()) {
+            if is_first(&at) && runs.last().is_none_or(|run| run.end().is_some()) {
                 begin(runs, Errand::Unasked, pace);
             }
             if let Some(run) = runs.last_mut() {
@@ -285,7 +285,7 @@ fn fold(runs: &mut Vec<LiveRun>, body: &str, mind: &mut Mind, pace: Pace) {
                 run.cut(Cut::ConnectionLost);
             }
         }
-        Some(Report::Ok(_, Said::Setting(..) | Said::Nodes(_) | Said::Nothing))
+        Some(Report::Ok(_, Said::Setting(..) | Said::Nodes(_) | Said::Nothing | Said::Typed))
         | Some(
             Report::Err(..)
             | Report::Ir(_)

@@ -1,8 +1,10 @@
 //! `link-check` against the virtual robot, and against robots that break a rule each.
 
-use line_maze_lab::link::check::{Driving, RULES, Verdict, Wire, check};
+use line_maze_lab::link::check::{Driving, Gone, RULES, Verdict, Wire, check};
 use line_maze_lab::link::demo::DemoRobot;
 
+use crate::bench::{moved, retelling, sealed};
+use crate::firmware::{Firmware, Slip};
 use crate::support::figure_3_1;
 
 /// A robot, and what is done to its words.
@@ -13,10 +15,29 @@ struct Rig<F> {
     /// Longer lists are answered `err full`, as by a robot with less room.
     longest: u16,
     refused: Vec<u8>,
+    /// What it makes of what it is sent.
+    ear: fn(&[u8]) -> Vec<u8>,
+    /// When the port goes.
+    goes_ms: u64,
+}
+
+fn rig<F>(spoil: F) -> Rig<F> {
+    let robot = DemoRobot::new(&figure_3_1(), 0).unwrap();
+    let ear = |bytes: &[u8]| bytes.to_vec();
+    Rig { robot, now_ms: 0, spoil, longest: u16::MAX, refused: Vec::new(), ear, goes_ms: u64::MAX }
+}
+
+/// All verdicts of a robot.
+fn checked<F: FnMut(Vec<u8>) -> Vec<u8>>(rig: &mut Rig<F>, driving: Driving) -> Vec<(&'static str, Verdict)> {
+    let mut verdicts = Vec::new();
+    check(rig, driving, |rule, verdict| verdicts.push((rule.name, verdict.clone()))).unwrap();
+    assert_eq!(verdicts.len(), RULES.len());
+    verdicts
 }
 
 impl<F: FnMut(Vec<u8>) -> Vec<u8>> Wire for Rig<F> {
-    fn send(&mut self, bytes: &[u8]) {
+    fn send(&mut self, bytes: &[u8]) -> Result<(), Gone> {
+        let bytes = &(self.ear)(bytes)[..];
         let text = String::from_utf8_lossy(bytes);
         let words: Vec<&str> = text.split([' ', '*']).collect();
         match words[..] {
@@ -25,22 +46,22 @@ impl<F: FnMut(Vec<u8>) -> Vec<u8>> Wire for Rig<F> {
             }
             _ => self.robot.bytes_in(bytes, self.now_ms),
         }
+        Ok(())
     }
 
-    fn wait(&mut self, ms: u64) -> Vec<u8> {
+    fn wait(&mut self, ms: u64) -> Result<Vec<u8>, Gone> {
         self.now_ms += ms;
+        if self.now_ms > self.goes_ms {
+            return Err(Gone);
+        }
         let mut bytes = std::mem::take(&mut self.refused);
         bytes.extend(self.robot.tick(self.now_ms));
-        (self.spoil)(bytes)
+        Ok((self.spoil)(bytes))
     }
 
     fn now_ms(&self) -> u64 {
         self.now_ms
     }
-}
-
-fn sealed(body: &str) -> Vec<u8> {
-    format!("{body}*{:02X}\n", line_maze_lab::link::frame::crc8(body.as_bytes())).into_bytes()
 }
 
 fn verdicts(driving: Driving, spoil: impl FnMut(Vec<u8>) -> Vec<u8>) -> Vec<(&'static str, Verdict)> {
@@ -52,12 +73,9 @@ fn verdicts_with(
     longest: u16,
     spoil: impl FnMut(Vec<u8>) -> Vec<u8>,
 ) -> Vec<(&'static str, Verdict)> {
-    let robot = DemoRobot::new(&figure_3_1(), 0).unwrap();
-    let mut verdicts = Vec::new();
-    let mut rig = Rig { robot, now_ms: 0, spoil, longest, refused: Vec::new() };
-    check(&mut rig, driving, |rule, verdict| verdicts.push((rule.name, verdict.clone())));
-    assert_eq!(verdicts.len(), RULES.len());
-    verdicts
+    let mut rig = rig(spoil);
+    rig.longest = longest;
+    checked(&mut rig, driving)
 }
 
 /// The rules that are broken.
@@ -68,19 +86,7 @@ fn broken(spoil: impl FnMut(Vec<u8>) -> Vec<u8>) -> Vec<&'static str> {
 
 /// Replaces words in whole lines, and seals them anew.
 fn saying(from: &'static str, to: &'static str) -> impl FnMut(Vec<u8>) -> Vec<u8> {
-    let mut line = Vec::new();
-    move |bytes| {
-        let mut out = Vec::new();
-        for byte in bytes {
-            line.push(byte);
-            if byte == b'\n' {
-                let text = String::from_utf8(std::mem::take(&mut line)).unwrap();
-                let body = text.split('*').next().unwrap().replace(from, to);
-                out.extend(sealed(&body));
-            }
-        }
-        out
-    }
+    retelling(move |body| Some(body.replace(from, to)))
 }
 
 #[test]
@@ -132,4 +138,157 @@ fn broken_robots_are_found_out() {
         bytes
     });
     assert!(noisy.contains(&"lines"), "{noisy:?}");
+}
+
+/// A sketch with a slip, in simulated time.
+struct Board {
+    firmware: Firmware,
+    now_ms: u64,
+}
+
+impl Wire for Board {
+    fn send(&mut self, bytes: &[u8]) -> Result<(), Gone> {
+        self.firmware.hear(bytes);
+        Ok(())
+    }
+
+    fn wait(&mut self, ms: u64) -> Result<Vec<u8>, Gone> {
+        self.now_ms += ms;
+        Ok(self.firmware.speak())
+    }
+
+    fn now_ms(&self) -> u64 {
+        self.now_ms
+    }
+}
+
+/// What is said of a sketch's `hi`.
+fn said_of(slip: Slip) -> Verdict {
+    let mut board = Board { firmware: Firmware::new(slip), now_ms: 0 };
+    let mut verdicts = Vec::new();
+    check(&mut board, Driving::Forbidden, |_, verdict| verdicts.push(verdict.clone())).unwrap();
+    verdicts.remove(0)
+}
+
+#[test]
+fn a_sketch_that_keeps_the_first_rule_is_told_so_whatever_ends_its_lines() {
+    for slip in [Slip::None, Slip::CrOnly] {
+        assert_eq!(said_of(slip), Verdict::Kept, "{slip:?}");
+    }
+}
+
+#[test]
+fn who_is_not_understood_is_quoted_and_told_what_is_wrong() {
+    for (slip, quoted, cause) in [
+        (
+            Slip::NoSum,
+            "“ready 1 my uno 30 400”",
+            "no checksum: the robot ends every line with * and two digits",
+        ),
+        (Slip::LowerCase, "“ready 1 my uno 30 400*d8”", "lower-case hex: it must be *D8"),
+        (Slip::Xor, "“ready 1 my uno 30 400*", "the XOR of the bytes; it must be the CRC-8"),
+        (Slip::FourDigits, "“ready 1 my uno 30 400*00D8”", "exactly two digits"),
+        (Slip::Spaces, "“ready  1  my", "single spaces"),
+        (Slip::OtherNumber, "“ok #99”", "another number"),
+        (Slip::Echo, "“watch al”", "came back as it was sent"),
+        (Slip::Sketch, "“Left: ", "another sketch is on the board"),
+        (Slip::Noise, "\\x", "speaks at another rate"),
+        (Slip::Mute, "", "not a byte came"),
+    ] {
+        let Verdict::Broken(words) = said_of(slip) else { panic!("{slip:?} is not found out") };
+        assert!(words.contains(quoted) && words.contains(cause), "{slip:?}: {words}");
+    }
+}
+
+#[test]
+fn a_port_that_goes_ends_the_check_at_once() {
+    for goes_ms in [50, 1_500, 8_000] {
+        let mut rig = rig(|bytes| bytes);
+        rig.goes_ms = goes_ms;
+        let mut told = 0;
+        let checked = check(&mut rig, Driving::Allowed, |_, verdict| {
+            assert_eq!(*verdict, Verdict::Kept);
+            told += 1;
+        });
+        assert_eq!((checked, told < RULES.len()), (Err(Gone), true), "after {goes_ms} ms");
+        assert!(rig.now_ms < goes_ms + 20, "{}", rig.now_ms);
+    }
+}
+
+#[test]
+fn what_makes_life_easier_is_a_remark_and_breaks_nothing() {
+    // A robot that drops CRs, as version 1 once had it.
+    let whole: fn(Vec<u8>) -> Vec<u8> = |bytes| bytes;
+    let mut deaf_to_cr = rig(whole);
+    deaf_to_cr.ear = |bytes| bytes.iter().copied().filter(|&byte| byte != b'\r').collect();
+    // And one that knows no help.
+    let mut helpless = rig(whole);
+    helpless.ear = |bytes| String::from_utf8_lossy(bytes).replace("help", "hilf").into_bytes();
+    for (mut rig, name, words) in [(deaf_to_cr, "ends", "CR alone"), (helpless, "help", "err verb")] {
+        for (rule, verdict) in checked(&mut rig, Driving::Allowed) {
+            match verdict {
+                Verdict::Remark(said) => {
+                    assert!(rule == name && said.contains(words), "{rule}: {said}");
+                }
+                other => assert!(other == Verdict::Kept && rule != name, "{rule}: {other:?}"),
+            }
+        }
+    }
+}
+
+#[test]
+fn a_drive_may_lead_a_little_aside_and_no_more() {
+    let drifts = |part: i32| retelling(move |line| Some(moved(line, |x, y| (x + y / part, y - x / part))));
+    assert_eq!(broken(drifts(10)), [""; 0]);
+    assert_eq!(broken(drifts(4)), ["run"]);
+}
+
+/// Whatever a robot does, it is told in the words of PROTOCOL.md, never in those of this program.
+#[test]
+fn no_name_of_the_code_gets_into_the_words() {
+    let mut said = Vec::new();
+    let mut hear = |verdicts: Vec<(&'static str, Verdict)>| {
+        for (_, verdict) in verdicts {
+            if let Verdict::Broken(words) | Verdict::Remark(words) = verdict {
+                said.push(words);
+            }
+        }
+    };
+    for (from, to) in [
+        ("kp", "ki"),
+        ("ok", "err"),
+        ("err", "ok"),
+        ("sum", "verb"),
+        ("busy", "place"),
+        ("sent", "learned"),
+        ("turns data", "turns date"),
+        ("end", "fin"),
+        ("at", "att"),
+        ("do", "dot"),
+        ("beat", "beet"),
+        ("nodes", "knots"),
+        ("#", "##"),
+    ] {
+        hear(verdicts(Driving::Allowed, saying(from, to)));
+    }
+    // A robot that answers `hi` and nothing else.
+    hear(verdicts(
+        Driving::Allowed,
+        retelling(|line| (line.starts_with("ready") || line == "ok #0").then(|| line.into())),
+    ));
+    // One that keeps no list.
+    hear(verdicts(
+        Driving::Allowed,
+        retelling(|line| {
+            Some(if line.starts_with("turns have") { "err #9 no-list".into() } else { line.to_owned() })
+        }),
+    ));
+    assert!(said.len() > 30, "{}", said.len());
+    for words in said {
+        let leaks =
+            words.contains(['[', ']', '{', '"', '_']) || words.contains("Some") || words.contains("None");
+        let calls =
+            words.as_bytes().windows(2).any(|pair| pair[0].is_ascii_alphanumeric() && pair[1] == b'(');
+        assert!(!leaks && !calls, "{words}");
+    }
 }

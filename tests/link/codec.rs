@@ -3,7 +3,7 @@
 use line_maze_lab::geometry::{Heading, Turn, Ways};
 use line_maze_lab::link::frame::{Decoder, Heard, Line, LineError, MAX_LINE, Sum};
 use line_maze_lab::link::report::{
-    Beat, Chose, Code, End, Ended, Ir, Kind, NodeLine, Origin, Reached, Ready, Report, Said,
+    Beat, Chose, Code, End, Ended, Ir, Kind, NodeLine, Origin, Reached, Ready, Report, Said, TYPED,
 };
 use line_maze_lab::link::request::{Asked, Level, Request, Upload};
 use line_maze_lab::link::tune::Name;
@@ -39,6 +39,7 @@ fn requests() -> impl Strategy<Value = Request<'static>> {
     prop_oneof![
         proptest::sample::select(vec![
             Request::Hi,
+            Request::Help,
             Request::TurnsRead,
             Request::RunRoute,
             Request::Stop,
@@ -82,6 +83,7 @@ fn reports() -> impl Strategy<Value = Report<'static>> {
     let origins = proptest::sample::select(vec![Origin::Sent, Origin::Learned]);
     let said = prop_oneof![
         Just(Said::Nothing),
+        Just(Said::Typed),
         any::<u16>().prop_map(Said::Nodes),
         (names(), any::<i32>()).prop_map(|(name, value)| Said::Setting(name, value)),
     ];
@@ -162,7 +164,7 @@ fn the_checksums_of_the_specification() {
     assert_eq!(heard(b"hi\n"), [Ok(("hi".to_owned(), Sum::Missing))]);
     assert_eq!(heard(b"hi*46\n"), [Err(LineError::Sum { found: 0x46, right: 0x45 })]);
     assert_eq!(heard(b"hi*4\nhi*455\nh*i*45\nhi*4f\n"), vec![Err(LineError::Star); 4]);
-    assert_eq!(heard(b"\n\r\n\n"), []);
+    assert_eq!(heard(b"\n\r\n\n\r\r\n\r"), []);
     assert_eq!(heard(b"h\x80i\n"), [Err(LineError::Byte(0x80))]);
 }
 
@@ -174,6 +176,37 @@ fn a_line_too_long_is_told_once_and_dropped() {
     let mut bytes = vec![b'a'; 10 * MAX_LINE];
     bytes.extend(b"\nhi\n");
     assert_eq!(heard(&bytes), [Err(LineError::TooLong), Ok(("hi".to_owned(), Sum::Missing))]);
+}
+
+#[test]
+fn a_line_ends_as_programs_and_terminals_end_it() {
+    for end in ["\n", "\r", "\r\n", "\n\r", "\r\r\n"] {
+        let bytes = format!("hi*45{end}get kp{end}hi*46{end}{end}");
+        let came = heard(bytes.as_bytes());
+        let hi = Ok(("hi".to_owned(), Sum::Right));
+        let bad = Err(LineError::Sum { found: 0x46, right: 0x45 });
+        assert_eq!(came, [hi, Ok(("get kp".to_owned(), Sum::Missing)), bad], "{end:?}");
+    }
+    // A line is over at its CR, not at the LF that may never come.
+    let mut decoder = Decoder::new();
+    let came: Vec<bool> = b"hi\r\n".iter().map(|&byte| decoder.push(byte) != Heard::Nothing).collect();
+    assert_eq!(came, [false, false, true, false]);
+    // What is too long or spoilt ends there too.
+    let long = [vec![b'a'; 200], b"\rhi\r".to_vec()].concat();
+    assert_eq!(heard(&long), [Err(LineError::TooLong), Ok(("hi".to_owned(), Sum::Missing))]);
+    assert_eq!(heard(b"h\x80\rhi\r"), [Err(LineError::Byte(0x80)), Ok(("hi".to_owned(), Sum::Missing))]);
+}
+
+#[test]
+fn help_names_what_may_be_typed_and_nothing_else() {
+    let verbs = TYPED.replace("NAME", "kp").replace("LEVEL", "all");
+    for line in verbs.split(", ") {
+        assert_eq!(asked(format!("{line}\r").as_bytes()).len(), 1, "{line}");
+    }
+    let names = |line: &str| TYPED.split(", ").any(|told| told.split(' ').next() == line.split(' ').next());
+    for line in ["hi", "stop", "get kp", "watch all", "place", "turns read", "nodes read"] {
+        assert!(names(line), "{line}");
+    }
 }
 
 #[test]
@@ -200,7 +233,7 @@ fn a_number_out_of_its_range_is_told_apart_from_what_is_no_number() {
 
 #[test]
 fn what_is_typed_may_only_ask() {
-    for line in ["hi", "stop", "get kp", "watch all", "place", "turns read", "nodes read"] {
+    for line in ["hi", "help", "stop", "get kp", "watch all", "place", "turns read", "nodes read"] {
         assert_eq!(asked(format!("{line}\n").as_bytes()).len(), 1, "{line}");
     }
     for line in ["set kp 1", "run explore SRL", "run route", "turns begin 1 0 FFFF", "turns commit 1"] {
@@ -239,6 +272,17 @@ proptest! {
         prop_assert_eq!(reported(&bytes).pop(), Some(format!("{report:?}")));
     }
 
+    /// Ends of line are all one, and more of them are no more lines.
+    #[test]
+    fn every_end_of_line_is_the_same(
+        lines in proptest::collection::vec("[ -~]{0,90}", 0..6),
+        ends in proptest::collection::vec(proptest::sample::select(vec!["\r", "\n", "\r\n", "\n\r", "\r\n\r\n"]), 6),
+    ) {
+        let with_lf: String = lines.iter().map(|line| format!("{line}\n")).collect();
+        let with_any: String = lines.iter().zip(ends).map(|(line, end)| format!("{line}{end}")).collect();
+        prop_assert_eq!(heard(with_any.as_bytes()), heard(with_lf.as_bytes()));
+    }
+
     #[test]
     fn a_flipped_byte_is_found_by_the_page(report in reports(), at: prop::sample::Index, flip in 1u8..) {
         let mut bytes = report.write().seal().to_vec();
@@ -246,7 +290,7 @@ proptest! {
         bytes[at] ^= flip;
         // A line that has lost its LF is a part of the next one.
         bytes.extend(b"\n");
-        // An LF that has become a CR is still an end of line: then nothing is lost.
+        // An LF that has become a CR is an end of line all the same: then nothing is lost.
         let other = reported(&bytes).into_iter().find(|heard| *heard != format!("{report:?}"));
         prop_assert_eq!(other, None, "{:?}", String::from_utf8_lossy(&bytes));
     }

@@ -4,6 +4,9 @@
 #[path = "../support/mod.rs"]
 mod support;
 
+#[path = "../support/firmware.rs"]
+mod firmware;
+
 mod bench;
 mod cable;
 mod check;
@@ -13,4 +16,5 @@ mod examples;
 mod faults;
 mod running;
 mod session;
+mod typed;
 mod upload;

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap::{ArgGroup, Args, Parser, Subcommand, ValueEnum};
 use line_maze_lab::explorer::name::Name;
 
 mod generate;
@@ -87,12 +87,15 @@ pub(crate) enum Command {
     },
     /// Be a robot that speaks the protocol of PROTOCOL.md, in an ideal world, until the end of input or a signal.
     #[command(
-        after_help = "Whoever opens the pseudo-terminal resets the robot, as opening the port of an Uno does; it is ready a second later."
+        after_help = "Whoever opens the pseudo-terminal resets the robot, as opening the port of an Uno does; it is ready a second later.\n\
+        On standard input nothing is lost meanwhile; at its end everything is answered, and a run drives on to its end.\n\n\
+        Examples:\n  linemaze robot --pty /tmp/robot --maze mazes/book-3-1.maze\n  echo help | linemaze robot --stdio --maze mazes/book-3-1.maze"
     )]
     Robot(Robot),
     /// Play the page's end against any robot, and say of each rule of PROTOCOL.md whether it is kept.
     #[command(
-        after_help = "Exit status: 0 every rule that was tried is kept, 1 a rule is broken, 2 the port cannot be opened.\n\
+        after_help = "Exit status: 0 every rule that was tried is kept, 1 a rule is broken, 2 the port cannot be opened, another program has it, or it goes.\n\
+        A remark is no broken rule: the robot could be made easier to use.\n\
         Settings and the turn list are changed and put back; a robot that had no list keeps one."
     )]
     LinkCheck(LinkCheck),
@@ -212,9 +215,10 @@ impl League {
 
 /// What `robot` takes.
 #[derive(Args)]
+#[command(group = ArgGroup::new("line").args(["pty", "stdio"]).required(true))]
 pub(crate) struct Robot {
     /// Make a pseudo-terminal and a link to it at PATH, which goes when the robot ends (not on Windows)
-    #[arg(long, value_name = "PATH", required_unless_present = "stdio", conflicts_with = "stdio")]
+    #[arg(long, value_name = "PATH")]
     pub(crate) pty: Option<PathBuf>,
     /// Speak on standard input and output instead
     #[arg(long)]

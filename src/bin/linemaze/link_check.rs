@@ -10,7 +10,7 @@ pub(crate) fn link_check(args: &LinkCheck, out: &mut impl Write) -> Result<Statu
     use std::io;
     use std::time::{Duration, Instant};
 
-    use line_maze_lab::link::check::{Driving, Verdict, Wire, check};
+    use line_maze_lab::link::check::{Driving, Gone, Verdict, Wire, check};
 
     use crate::pty::Port;
 
@@ -19,51 +19,51 @@ pub(crate) fn link_check(args: &LinkCheck, out: &mut impl Write) -> Result<Statu
         port: Port,
         error: Option<io::Error>,
         since: Instant,
-        /// There is nothing to wait for where the port is gone: that time passes at once.
-        skipped_ms: u64,
+    }
+
+    impl Line {
+        fn failed(&mut self, error: io::Error) -> Gone {
+            self.error = Some(error);
+            Gone
+        }
     }
 
     impl Wire for Line {
-        fn send(&mut self, bytes: &[u8]) {
-            if self.error.is_none() {
-                self.error = self.port.write(bytes).err();
-            }
+        fn send(&mut self, bytes: &[u8]) -> Result<(), Gone> {
+            self.port.write(bytes).map_err(|error| self.failed(error))
         }
 
-        fn wait(&mut self, ms: u64) -> Vec<u8> {
-            if self.error.is_some() {
-                self.skipped_ms += ms;
-            }
+        fn wait(&mut self, ms: u64) -> Result<Vec<u8>, Gone> {
             let until = Instant::now() + Duration::from_millis(ms);
             let mut all = Vec::new();
-            while self.error.is_none() {
+            loop {
                 let left = until.saturating_duration_since(Instant::now());
-                match self.port.wait(left.as_millis() as u32) {
-                    Ok(bytes) => all.extend(bytes),
-                    Err(error) => self.error = Some(error),
-                }
+                let came = self.port.wait(left.as_millis() as u32);
+                all.extend(came.map_err(|error| self.failed(error))?);
                 if left.as_millis() == 0 {
-                    break;
+                    return Ok(all);
                 }
             }
-            all
         }
 
         fn now_ms(&self) -> u64 {
-            self.since.elapsed().as_millis() as u64 + self.skipped_ms
+            self.since.elapsed().as_millis() as u64
         }
     }
 
     let fails = |error: &io::Error| Failure::Message(format!("{}: {error}", args.pty.display()));
     let port = Port::open(&args.pty, args.baud).map_err(|error| fails(&error))?;
-    let mut line = Line { port, error: None, since: Instant::now(), skipped_ms: 0 };
+    let mut line = Line { port, error: None, since: Instant::now() };
     let driving = if args.drive { Driving::Allowed } else { Driving::Forbidden };
     let mut status = Status::Good;
     let mut written = Ok(());
-    check(&mut line, driving, |rule, verdict| {
+    let checked = check(&mut line, driving, |rule, verdict| {
         let said = match verdict {
             Verdict::Kept => format!("kept       {:9} {}", rule.name, rule.says),
             Verdict::NotTried(why) => format!("not tried  {:9} {}: {why}", rule.name, rule.says),
+            Verdict::Remark(words) => {
+                format!("remark     {:9} {}\n           {:9} {words}", rule.name, rule.says, "")
+            }
             Verdict::Broken(words) => {
                 status = Status::Bad;
                 format!("BROKEN     {:9} {}\n           {:9} {words}", rule.name, rule.says, "")
@@ -74,9 +74,10 @@ pub(crate) fn link_check(args: &LinkCheck, out: &mut impl Write) -> Result<Statu
         }
     });
     written?;
-    match line.error {
-        Some(error) => Err(fails(&error)),
-        None => Ok(status),
+    match (checked, line.error) {
+        (Ok(()), _) => Ok(status),
+        (Err(Gone), Some(error)) => Err(fails(&error)),
+        (Err(Gone), None) => Err(fails(&io::ErrorKind::UnexpectedEof.into())),
     }
 }
 

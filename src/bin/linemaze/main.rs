@@ -11,6 +11,8 @@ mod folders;
 mod league;
 mod link_check;
 mod locate;
+#[cfg(unix)]
+mod lock;
 mod progress;
 #[cfg(unix)]
 mod pty;

@@ -7,7 +7,9 @@ use std::os::fd::{AsFd, OwnedFd};
 use std::os::unix::ffi::OsStrExt;
 use std::os::unix::fs::symlink;
 use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
 
+use crate::lock::{Claim, lock};
 use rustix::event::{PollFd, PollFlags, Timespec, poll};
 use rustix::fs::{OFlags, fcntl_getfl, fcntl_setfl};
 use rustix::pty::{OpenptFlags, grantpt, openpt, ptsname, unlockpt};
@@ -18,6 +20,8 @@ pub(crate) struct Pty {
     master: File,
     link: PathBuf,
     name: PathBuf,
+    // The link is this robot's as long as it lives.
+    _claim: Claim,
 }
 
 /// Whether somebody has the other side open.
@@ -28,8 +32,10 @@ pub(crate) enum Peer {
 }
 
 impl Pty {
-    /// A new pseudo-terminal, with a link to it at `link`; an old link is replaced, any other file is not.
+    /// A new pseudo-terminal, with a link to it at `link`; an old link is replaced, that of a robot that lives
+    /// and any other file are not.
     pub(crate) fn new(link: &Path) -> io::Result<Self> {
+        let claim = Claim::on(link)?;
         let master: OwnedFd = openpt(OpenptFlags::RDWR | OpenptFlags::NOCTTY)?;
         grantpt(&master)?;
         unlockpt(&master)?;
@@ -44,7 +50,7 @@ impl Pty {
         drop(slave);
         fcntl_setfl(&master, fcntl_getfl(&master)? | OFlags::NONBLOCK)?;
         symlink(&name, link)?;
-        Ok(Self { master: File::from(master), link: link.to_owned(), name })
+        Ok(Self { master: File::from(master), link: link.to_owned(), name, _claim: claim })
     }
 
     /// The terminal's own name.
@@ -74,13 +80,16 @@ impl Pty {
 
     /// What has come.
     pub(crate) fn read(&mut self) -> io::Result<Vec<u8>> {
-        read(&mut self.master)
+        match read(&mut self.master) {
+            Err(error) if is_hung_up(&error) => Ok(Vec::new()),
+            other => other,
+        }
     }
 
     /// Sends as much as there is room for; returns how much.
     pub(crate) fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         match self.master.write(bytes) {
-            Err(error) if is_nothing(&error) => Ok(0),
+            Err(error) if is_nothing(&error) || is_hung_up(&error) => Ok(0),
             other => other,
         }
     }
@@ -96,8 +105,11 @@ impl Drop for Pty {
     }
 }
 
-/// A serial port, as a program opens it.
+/// A serial port, as a program opens it. One program has it at a time, of those that ask.
 pub(crate) struct Port(File);
+
+/// A port that takes nothing for so long takes nothing any more.
+const MOST_WRITING: Duration = Duration::from_secs(2);
 
 impl Port {
     /// Opens a port, raw, at this rate.
@@ -107,16 +119,27 @@ impl Port {
         options.read(true).write(true);
         std::os::unix::fs::OpenOptionsExt::custom_flags(&mut options, flags as i32);
         let file = options.open(path)?;
+        lock(&file)?;
         raw(&file, Some(baud))?;
         Ok(Self(file))
     }
 
     /// Sends all bytes.
     pub(crate) fn write(&mut self, mut bytes: &[u8]) -> io::Result<()> {
+        let until = Instant::now() + MOST_WRITING;
         while !bytes.is_empty() {
             match self.0.write(bytes) {
                 Ok(written) => bytes = &bytes[written..],
-                Err(error) if is_nothing(&error) => std::thread::sleep(std::time::Duration::from_millis(1)),
+                Err(error) if is_nothing(&error) && Instant::now() < until => {
+                    std::thread::sleep(Duration::from_millis(1));
+                }
+                Err(error) if is_nothing(&error) => {
+                    return Err(io::Error::new(
+                        io::ErrorKind::TimedOut,
+                        "the port takes nothing any more: nobody reads at its other end",
+                    ));
+                }
+                Err(error) if is_hung_up(&error) => return Err(gone()),
                 Err(error) => return Err(error),
             }
         }
@@ -125,12 +148,29 @@ impl Port {
 
     /// What comes within so many milliseconds.
     pub(crate) fn wait(&mut self, ms: u32) -> io::Result<Vec<u8>> {
-        let (ready, gone) = wait(&self.0, ms)?;
-        if gone && !ready {
-            return Err(io::ErrorKind::UnexpectedEof.into());
+        let (ready, hung_up) = wait(&self.0, ms)?;
+        if !ready {
+            return if hung_up { Err(gone()) } else { Ok(Vec::new()) };
         }
-        if ready { read(&mut self.0) } else { Ok(Vec::new()) }
+        let mut bytes = vec![0; 4096];
+        match self.0.read(&mut bytes) {
+            // Ready, and nothing there: the end.
+            Ok(0) => Err(gone()),
+            Ok(count) => {
+                bytes.truncate(count);
+                Ok(bytes)
+            }
+            Err(error) if is_nothing(&error) => Ok(Vec::new()),
+            Err(error) if is_hung_up(&error) => Err(gone()),
+            Err(error) => Err(error),
+        }
     }
+}
+
+/// The other end is not there any more.
+fn gone() -> io::Error {
+    let words = "the port has gone: its cable was pulled, or the program at its other end is over";
+    io::Error::new(io::ErrorKind::UnexpectedEof, words)
 }
 
 /// Waits for a file; whether there is something to read, and whether the other side has gone.
@@ -156,10 +196,15 @@ fn read(file: &mut File) -> io::Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// Nothing there now; or nobody has the other side open, which Linux calls EIO.
+/// Nothing there now.
 fn is_nothing(error: &io::Error) -> bool {
     matches!(error.kind(), io::ErrorKind::WouldBlock | io::ErrorKind::Interrupted)
-        || error.raw_os_error() == Some(rustix::io::Errno::IO.raw_os_error())
+}
+
+/// What Linux says at one end of a terminal when nobody has the other: for the robot's end that is the rule, for
+/// the page's end it is over.
+fn is_hung_up(error: &io::Error) -> bool {
+    error.raw_os_error() == Some(rustix::io::Errno::IO.raw_os_error())
 }
 
 /// No echo, no line editing, no translation.

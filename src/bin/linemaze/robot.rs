@@ -1,11 +1,13 @@
 //! `linemaze robot`: the virtual robot on a pseudo-terminal, or on standard input and output.
 
+use std::collections::VecDeque;
 use std::io::{self, Read, Write};
 use std::sync::mpsc::{self, RecvTimeoutError};
 use std::thread;
 use std::time::{Duration, Instant};
 
 use line_maze_lab::link::demo::DemoRobot;
+use line_maze_lab::link::frame::is_end;
 
 use crate::args::Robot;
 use crate::{Failure, Status, files};
@@ -43,8 +45,11 @@ impl Clock {
     }
 }
 
-/// Standard input is read by a thread of its own, as it cannot be waited for with a time limit everywhere.
+/// Standard input is read by a thread of its own, as it cannot be waited for with a time limit everywhere. A pipe
+/// waits, as no wire does: nothing of it is lost while the robot starts or still answers, and at its end
+/// everything that was asked is answered and a run is driven to its end.
 fn on_stdio(mut robot: DemoRobot, clock: &Clock, out: &mut impl Write) -> Result<Status, Failure> {
+    let tick = Duration::from_millis(TICK_MS.into());
     let (sender, receiver) = mpsc::sync_channel(16);
     thread::spawn(move || {
         let mut bytes = [0; 1024];
@@ -54,17 +59,32 @@ fn on_stdio(mut robot: DemoRobot, clock: &Clock, out: &mut impl Write) -> Result
             }
         }
     });
+    let mut typed = VecDeque::new();
+    let mut over = false;
     loop {
-        let heard = receiver.recv_timeout(Duration::from_millis(TICK_MS.into()));
-        if let Ok(bytes) = &heard {
-            robot.bytes_in(bytes, clock.now_ms());
+        match receiver.recv_timeout(tick) {
+            Ok(bytes) => typed.extend(bytes),
+            Err(RecvTimeoutError::Timeout) => {}
+            Err(RecvTimeoutError::Disconnected) => {
+                over = true;
+                thread::sleep(tick);
+            }
+        }
+        while !typed.is_empty() && robot.takes_more() {
+            let line = typed.iter().position(|&byte| is_end(byte)).map_or(typed.len(), |end| end + 1);
+            let line: Vec<u8> = typed.drain(..line).collect();
+            robot.bytes_in(&line, clock.now_ms());
+        }
+        let last = over && typed.is_empty();
+        if last && robot.stands() {
+            robot.hush();
         }
         let said = robot.tick(clock.now_ms());
         if !said.is_empty() {
             out.write_all(&said)?;
             out.flush()?;
         }
-        if heard == Err(RecvTimeoutError::Disconnected) {
+        if last && robot.is_done() {
             return Ok(Status::Good);
         }
     }

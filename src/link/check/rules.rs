@@ -4,12 +4,15 @@ use alloc::format;
 use alloc::string::String;
 use alloc::vec::Vec;
 
-use super::super::report::{End, Report};
+use super::super::frame::Writer;
+use super::super::monitor::readable;
+use super::super::report::Report;
 use super::super::request::{Level, Request};
 use super::super::tune::Name;
+use super::drives::{place, run, stop};
 use super::uploads::{again, room, upload, whole};
-use super::{Broken, Driving, Rule, Talk};
-use crate::settings::{Order, Preference};
+use super::wrong::silence;
+use super::{Broken, Rule, Talk, quoted};
 
 pub(super) type Done = Result<(), Broken>;
 
@@ -25,6 +28,12 @@ pub const RULES: &[Rule] = &[
         says: "hi, get and the like are taken without a checksum and number",
         check: typed,
     },
+    Rule {
+        name: "ends",
+        says: "CR LF ends a line as LF does, and an empty line is nothing; CR alone should end one too",
+        check: ends,
+    },
+    Rule { name: "help", says: "help should be answered by what may be typed", check: help },
     Rule { name: "sealed", says: "what changes something is refused without a checksum", check: sealed },
     Rule {
         name: "damaged",
@@ -56,7 +65,7 @@ pub const RULES: &[Rule] = &[
     Rule { name: "place", says: "no run without place; stop is answered when nothing runs", check: place },
     Rule {
         name: "run",
-        says: "a run tells at and do for each stop; while it goes on, changes are refused",
+        says: "a run tells at and do for each stop, each drive along its heading; meanwhile changes are refused",
         check: run,
     },
     Rule { name: "stop", says: "stop ends a run: ok, then end … stopped, told three times", check: stop },
@@ -69,25 +78,36 @@ pub(super) fn broken<T>(words: String) -> Result<T, Broken> {
 
 fn hi(talk: &mut Talk<'_>) -> Done {
     // An Uno resets when the port is opened; whatever it says until then is not its fault.
-    talk.listen(100);
+    talk.listen(100)?;
     for _ in 0..8 {
         let (tag, bytes) = talk.sealed(Request::Hi);
         let mut said = b"watch al\n".to_vec();
         said.extend(bytes);
-        talk.say(&said);
-        if talk.answer(&format!("#{}", tag.number()), "hi").is_ok() {
-            talk.strange.clear();
-            talk.listen(200);
-            let first = talk.came.iter().position(|line| line.body.starts_with("ready "));
-            let ok =
-                talk.came.iter().position(|line| line.body.starts_with(&format!("ok #{}", tag.number())));
-            return match (first, ok) {
-                (Some(first), Some(ok)) if first < ok => ready(talk),
-                _ => broken("hi was answered ok, but no ready line came before it".into()),
-            };
+        talk.say(&said)?;
+        let answered = match talk.answer(&format!("#{}", tag.number()), "hi") {
+            Ok(answered) => answered,
+            Err(Broken::Gone) => return Err(Broken::Gone),
+            Err(_) => continue,
+        };
+        if let Err(code) = answered {
+            return broken(format!("“hi” was answered err {code}"));
         }
+        let mut odd = talk.strange[talk.strange_before..].iter();
+        let odd = odd.clone().find(|line| line.starts_with("“ready")).or_else(|| odd.next()).cloned();
+        talk.strange.clear();
+        talk.strange_before = 0;
+        talk.listen(200)?;
+        let first = talk.came.iter().position(|line| line.body.starts_with("ready "));
+        let ok = talk.came.iter().position(|line| line.body.starts_with(&format!("ok #{}", tag.number())));
+        return match (first, ok) {
+            (Some(first), Some(ok)) if first < ok => ready(talk),
+            _ => {
+                let odd = odd.unwrap_or_else(|| "ready comes first, then ok".into());
+                broken(format!("hi was answered ok, but no ready line came before it: {odd}"))
+            }
+        };
     }
-    broken("no answer within 4 s".into())
+    broken(format!("no answer within 4 s: {}", silence(&talk.first, &talk.sent)))
 }
 
 fn ready(talk: &Talk<'_>) -> Done {
@@ -99,9 +119,9 @@ fn ready(talk: &Talk<'_>) -> Done {
 }
 
 fn typed(talk: &mut Talk<'_>) -> Done {
-    for line in ["hi\n", "get kp\r\n", "watch events\n", "stop\n"] {
-        talk.listen(120);
-        talk.say(line.as_bytes());
+    for line in ["hi\n", "get kp\n", "watch events\n", "stop\n"] {
+        talk.listen(120)?;
+        talk.say(line.as_bytes())?;
         match talk.answer("#-", line)? {
             Ok(_) => {}
             Err(code) => return broken(format!("“{}” was answered err {code}", line.trim())),
@@ -110,25 +130,76 @@ fn typed(talk: &mut Talk<'_>) -> Done {
     Ok(())
 }
 
+fn ends(talk: &mut Talk<'_>) -> Done {
+    talk.listen(120)?;
+    talk.say(b"\n\r\n\n")?;
+    talk.listen(200)?;
+    if let Some(line) = talk.lines("err").chain(talk.lines("ok")).next() {
+        return broken(format!("empty lines were answered “{line}”"));
+    }
+    talk.say(b"get kp\r\n")?;
+    talk.listen(300)?;
+    let answers: Vec<String> = talk.lines("ok").chain(talk.lines("err")).map(Into::into).collect();
+    if answers.len() != 1 || !answers.iter().all(|line| line.starts_with("ok #- ")) {
+        let came = quoted(&answers);
+        return broken(format!("“get kp” with CR LF must be answered by one ok #-, but {came} came"));
+    }
+    talk.listen(120)?;
+    talk.say(b"get kp\r")?;
+    talk.listen(300)?;
+    if talk.lines("ok").any(|line| line.starts_with("ok #- ")) {
+        return Ok(());
+    }
+    // What it holds is half a line to it.
+    talk.say(b"\n")?;
+    talk.listen(200)?;
+    Err(Broken::Remark(
+        "“get kp” with CR alone was not answered: screen, PuTTY and others end lines so".into(),
+    ))
+}
+
+fn help(talk: &mut Talk<'_>) -> Done {
+    talk.listen(120)?;
+    talk.say(b"help\n")?;
+    match talk.answer("#-", "help") {
+        Ok(Ok(words)) if !words.is_empty() => Ok(()),
+        Ok(Ok(_)) => Err(Broken::Remark("help was answered ok, without a word".into())),
+        Ok(Err(code)) => Err(Broken::Remark(format!("help was answered err {code}"))),
+        Err(Broken::Rule(words)) => Err(Broken::Remark(words)),
+        Err(other) => Err(other),
+    }
+}
+
 fn get(talk: &mut Talk<'_>, name: Name) -> Result<i64, Broken> {
     let rest = talk.must(Request::Get(name))?;
     let value = rest.strip_prefix(name.word()).and_then(|value| value.trim().parse().ok());
-    value.map_or_else(|| broken(format!("get {}: ok {rest}", name.word())), Ok)
+    value.map_or_else(
+        || broken(format!("“get {0}” was answered “ok {rest}”, without {0} and its value", name.word())),
+        Ok,
+    )
 }
 
 /// Sends a line and expects this `err`, and that `kp` stays.
 fn refused(talk: &mut Talk<'_>, line: &[u8], codes: &[&str]) -> Done {
     let before = get(talk, Name::Kp)?;
-    talk.listen(120);
-    talk.say(line);
-    talk.listen(300);
-    let words: Vec<String> = talk.lines("err").map(Into::into).collect();
-    let fits = |err: &String| err.split(' ').nth(2).is_some_and(|code| codes.contains(&code));
-    if words.len() != 1 || !words.iter().all(fits) {
-        let line = super::super::monitor::readable(line);
-        return broken(format!("“{line}”: expected one err {}, came {words:?}", codes.join(" or ")));
+    talk.listen(120)?;
+    talk.say(line)?;
+    talk.listen(300)?;
+    let answers: Vec<String> = talk.lines("err").chain(talk.lines("ok")).map(Into::into).collect();
+    let code = |line: &String| line.strip_prefix("err ")?.split(' ').nth(1).map(String::from);
+    let fits = |line: &String| code(line).is_some_and(|code| codes.contains(&code.as_str()));
+    if answers.len() != 1 || !answers.iter().all(fits) {
+        let (line, came) = (shown(line), quoted(&answers));
+        let codes = codes.join(" or ");
+        return broken(format!("“{line}” must be answered by one err {codes}, but {came} came"));
     }
     if get(talk, Name::Kp)? == before { Ok(()) } else { broken("a refused line changed kp".into()) }
+}
+
+/// A line without its end; a long one is cut.
+fn shown(line: &[u8]) -> String {
+    let text = readable(line.strip_suffix(b"\n").unwrap_or(line));
+    if text.len() > 80 { format!("{}…", &text[..40]) } else { text }
 }
 
 fn sealed(talk: &mut Talk<'_>) -> Done {
@@ -152,19 +223,19 @@ fn long(talk: &mut Talk<'_>) -> Done {
 }
 
 fn quiet(talk: &mut Talk<'_>) -> Done {
-    talk.listen(200);
-    talk.say(&b"nonsense*00\n".repeat(30));
-    let passed_ms = talk.listen(90);
+    talk.listen(200)?;
+    talk.say(&b"nonsense*00\n".repeat(30))?;
+    let passed_ms = talk.listen(90)?;
     let errs = talk.lines("err").count();
     if errs as u64 > 1 + passed_ms / 100 {
         return broken(format!("{errs} err lines within {passed_ms} ms"));
     }
-    talk.listen(300);
+    talk.listen(300)?;
     for line in ["err #4 sum checksum", "ok #4", "ready 1 x y 5 5"] {
-        let mut writer = super::super::frame::Writer::new();
+        let mut writer = Writer::new();
         let bytes = writer.word(line).seal().to_vec();
-        talk.say(&bytes);
-        talk.listen(150);
+        talk.say(&bytes)?;
+        talk.listen(150)?;
         if let Some(answer) = talk.lines("err").chain(talk.lines("ok")).next() {
             return broken(format!("“{line}” was answered “{answer}”"));
         }
@@ -184,7 +255,7 @@ fn unknown(talk: &mut Talk<'_>) -> Done {
         ("turns begin 0 0 FFFF #3", "range"),
         ("turns begin 65536 0 FFFF #3", "range"),
     ] {
-        let mut writer = super::super::frame::Writer::new();
+        let mut writer = Writer::new();
         let bytes = writer.word(line).seal().to_vec();
         refused(talk, &bytes, &[code])?;
     }
@@ -217,17 +288,17 @@ fn nodes(talk: &mut Talk<'_>) -> Done {
 /// Lines with this verb in so many milliseconds or a few more; how many, and in how many.
 fn count(talk: &mut Talk<'_>, level: Level, verb: &str, ms: u64) -> Result<(u64, u64), Broken> {
     talk.must(Request::Watch(level))?;
-    talk.listen(200);
+    talk.listen(200)?;
     talk.came.clear();
-    let passed_ms = talk.listen(ms);
+    let passed_ms = talk.listen(ms)?;
     Ok((talk.lines(verb).count() as u64, passed_ms))
 }
 
 fn watch(talk: &mut Talk<'_>) -> Done {
     talk.must(Request::Watch(Level::Off))?;
-    talk.listen(200);
+    talk.listen(200)?;
     talk.came.clear();
-    talk.listen(1_500);
+    talk.listen(1_500)?;
     if let Some(line) = talk.came.first() {
         return broken(format!("watch off, but “{}” came", line.body));
     }
@@ -241,70 +312,6 @@ fn watch(talk: &mut Talk<'_>) -> Done {
     let (irs, _) = count(talk, Level::All, "ir", 1_000)?;
     talk.must(Request::Watch(Level::Events))?;
     if irs == 0 { broken("watch all, but no ir line came within 1 s".into()) } else { Ok(()) }
-}
-
-fn place(talk: &mut Talk<'_>) -> Done {
-    if talk.driving == Driving::Forbidden {
-        // A robot that breaks this rule would drive off.
-        return Err(Broken::NotTried("only with --drive"));
-    }
-    talk.must(Request::Stop)?;
-    talk.must(Request::Place)?;
-    talk.must(Request::Place)?;
-    talk.must(Request::Explore(Order::Fixed(Preference::SRL)))?;
-    talk.must(Request::Stop)?;
-    talk.must_not(Request::Explore(Order::Fixed(Preference::SRL)), "place")?;
-    talk.must_not(Request::RunRoute, "place")
-}
-
-fn run(talk: &mut Talk<'_>) -> Done {
-    if talk.driving == Driving::Forbidden {
-        return Err(Broken::NotTried("only with --drive"));
-    }
-    talk.must(Request::Place)?;
-    let (tag, bytes) = talk.sealed(Request::Explore(Order::Fixed(Preference::SRL)));
-    for _ in 0..2 {
-        // The same request again is answered again, and starts nothing.
-        talk.say(&bytes);
-        talk.answer(&format!("#{}", tag.number()), "run")?
-            .or_else(|code| broken(format!("run was answered err {code}")))?;
-    }
-    talk.must_not(Request::Set(Name::Kp, 500), "busy")?;
-    talk.must_not(Request::Place, "busy")?;
-    talk.came.clear();
-    for _ in 0..400 {
-        talk.listen(50);
-        let told = |verb| talk.lines(verb).count();
-        if told("at") > 1 && told("do") > 1 || told("end") > 0 {
-            return order(talk);
-        }
-    }
-    broken("not two stops within 20 s".into())
-}
-
-/// `at` and `do` take turns.
-fn order(talk: &Talk<'_>) -> Done {
-    let verbs = talk.came.iter().filter_map(|line| line.body.split(' ').next());
-    let told: Vec<&str> = verbs.filter(|verb| matches!(*verb, "at" | "do")).collect();
-    if told.chunks(2).all(|pair| pair == ["at", "do"] || pair == ["at"]) {
-        Ok(())
-    } else {
-        broken(format!("at and do do not take turns: {}", told.join(" ")))
-    }
-}
-
-fn stop(talk: &mut Talk<'_>) -> Done {
-    if talk.driving == Driving::Forbidden {
-        return Err(Broken::NotTried("only with --drive"));
-    }
-    talk.must(Request::Stop)?;
-    talk.listen(2_500);
-    let ended =
-        |line: &&str| matches!(Report::parse(line), Some(Report::End(ended)) if ended.end == End::Stopped);
-    match talk.lines("end").filter(ended).count() {
-        3 => Ok(()),
-        times => broken(format!("end … stopped came {times} times in 2.5 s")),
-    }
 }
 
 fn lines(talk: &mut Talk<'_>) -> Done {

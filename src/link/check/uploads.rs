@@ -33,7 +33,7 @@ fn announce(id: u16, letters: &str) -> Upload {
 
 /// The list on the robot, if it has one: number and letters.
 fn read(talk: &mut Talk<'_>) -> Result<Option<(u16, String)>, Broken> {
-    talk.listen(120);
+    talk.listen(120)?;
     match talk.ask(Request::TurnsRead)? {
         Err(code) if code == "no-list" => return Ok(None),
         Err(code) => return broken(format!("turns read was answered err {code}")),
@@ -86,7 +86,10 @@ fn fresh(before: &Option<(u16, String)>) -> u16 {
 fn same(talk: &mut Talk<'_>, id: u16, letters: &str) -> Done {
     match read(talk)? {
         Some(list) if list == (id, letters.into()) => Ok(()),
-        other => broken(format!("expected list {id} {letters}, the robot has {other:?}")),
+        Some((other, kept)) => {
+            broken(format!("the list must be {id} “{letters}”, but the robot has {other} “{kept}”"))
+        }
+        None => broken(format!("the list must be {id} “{letters}”, but the robot has none")),
     }
 }
 

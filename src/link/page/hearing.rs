@@ -6,7 +6,7 @@ use alloc::vec::Vec;
 use super::super::PROTOCOL;
 use super::super::fields::Tag;
 use super::super::frame::{self, Decoder, LineError, Sum};
-use super::super::live::{Errand, Fold, LiveRun};
+use super::super::live::{Errand, Fold, LiveRun, is_first};
 use super::super::monitor::Mark;
 use super::super::report::{Code, Ended, NodeLine, Origin, Reached, Ready, Report, Said};
 use super::super::request::Upload;
@@ -312,7 +312,7 @@ impl Link {
                 self.nodes = nodes;
                 Read::Whole
             }
-            Said::Nodes(_) | Said::Nothing | Said::Setting(..) => Read::Broken,
+            Said::Nodes(_) | Said::Nothing | Said::Setting(..) | Said::Typed => Read::Broken,
         }
     }
 
@@ -329,7 +329,7 @@ impl Link {
         self.plot.stop(at.ms);
         if self.phase == Phase::Ready {
             // The `ok` may be lost; or somebody started the robot by hand, and this is its first stop.
-            if self.starting.is_none() && at.x == 0 && self.live_is_over() {
+            if self.starting.is_none() && is_first(&at) && self.live_is_over() {
                 self.starting = Some(LiveRun::new(Errand::Unasked, self.pace));
             }
             self.set_off();

@@ -49,7 +49,14 @@ pub enum Said {
     Setting(Name, i32),
     /// How many rows of the node table came before.
     Nodes(u16),
+    /// What may be typed, for people.
+    Typed,
 }
+
+/// The first word of the answer to `help`, and what a person may type without a checksum.
+const TYPE: &str = "type";
+/// As long as a line has room for.
+pub const TYPED: &str = "hi, stop, get NAME, watch LEVEL, place, turns read, nodes read";
 
 impl Said {
     pub(super) fn parse(rest: &str) -> Self {
@@ -58,6 +65,7 @@ impl Said {
         let said = match Name::from_word(word) {
             Some(name) => f.number().map(|value| setting(name, value)),
             None if word == "nodes" => f.number().map(Self::Nodes),
+            None if word == TYPE => Some(Self::Typed),
             None => None,
         };
         said.unwrap_or(Self::Nothing)
@@ -71,6 +79,9 @@ impl Said {
             }
             Self::Nodes(count) => {
                 line.word("nodes").number(count);
+            }
+            Self::Typed => {
+                line.word(TYPE).word(TYPED);
             }
         }
     }

@@ -23,6 +23,16 @@ impl Output {
         ROOM - self.len > MAX_LINE
     }
 
+    /// Whether nothing waits.
+    pub(super) const fn is_empty(&self) -> bool {
+        self.len == 0
+    }
+
+    /// Whether a line and another before it fit.
+    pub(super) const fn has_room_for_answer(&self) -> bool {
+        self.len < ROOM / 2
+    }
+
     /// Whether what may be left out should not be: half of the room is kept for answers and events.
     pub(super) const fn has_room_to_spare(&self) -> bool {
         self.len < ROOM / 4
