@@ -1,5 +1,6 @@
 //! The lattice that a maze lies on: its corners, and how its points are numbered.
 
+use alloc::vec::Vec;
 use core::fmt;
 
 use crate::geometry::Point;
@@ -108,6 +109,28 @@ impl Bounds {
     #[must_use]
     pub fn clamp(self, p: Point) -> Point {
         Point::new(p.x.clamp(self.sw.x, self.ne.x), p.y.clamp(self.sw.y, self.ne.y))
+    }
+
+    /// The points around the middle, where micromouse contests have the finish: one, two or four.
+    ///
+    /// ```
+    /// use line_maze_lab::geometry::Point;
+    /// use line_maze_lab::maze::Bounds;
+    /// let field = Bounds::new(Point::new(0, 0), Point::new(15, 14))?;
+    /// assert_eq!(field.centre(), [Point::new(7, 7), Point::new(8, 7)]);
+    /// # Ok::<(), line_maze_lab::maze::BoundsError>(())
+    /// ```
+    #[must_use]
+    pub fn centre(self) -> Vec<Point> {
+        let middle = |from: i32, count: u32| {
+            let (low, high) = ((count - 1) / 2, count / 2);
+            [from + low.cast_signed(), from + high.cast_signed()]
+        };
+        let (xs, ys) = (middle(self.sw.x, self.width()), middle(self.sw.y, self.height()));
+        let mut points: Vec<Point> = xs.into_iter().flat_map(|x| ys.map(|y| Point::new(x, y))).collect();
+        points.sort_unstable();
+        points.dedup();
+        points
     }
 
     /// How many points.

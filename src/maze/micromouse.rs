@@ -16,8 +16,6 @@ mod export;
 mod num;
 mod squares;
 
-use alloc::vec::Vec;
-
 pub use error::{Expected, MicromouseError, Problem, Spot};
 pub use export::{CannotSay, write};
 
@@ -90,17 +88,4 @@ fn squares(width: usize, height: usize) -> Result<Bounds, super::BoundsError> {
 /// Where a mouse starts by the contests' rules.
 const fn usual_start(bounds: Bounds) -> Start {
     Start { at: bounds.sw(), heading: Heading::North }
-}
-
-/// The squares around the middle: one, two or four.
-fn centre(bounds: Bounds) -> Vec<Point> {
-    let middle = |from: i32, count: u32| {
-        let (low, high) = ((count - 1) / 2, count / 2);
-        [from + low.cast_signed(), from + high.cast_signed()]
-    };
-    let (xs, ys) = (middle(bounds.sw().x, bounds.width()), middle(bounds.sw().y, bounds.height()));
-    let mut points: Vec<Point> = xs.into_iter().flat_map(|x| ys.map(|y| Point::new(x, y))).collect();
-    points.sort_unstable();
-    points.dedup();
-    points
 }

@@ -6,11 +6,14 @@ use clap::{ArgGroup, Args, Parser, Subcommand, ValueEnum};
 use line_maze_lab::explorer::name::Name;
 
 mod generate;
+mod input;
 mod names;
 mod options;
 
 pub(crate) use generate::Generate;
 use generate::seed;
+use input::MAZE_HELP;
+pub(crate) use input::{Finish, Input, Marks, put_finish};
 use names::names;
 pub(crate) use options::Options;
 
@@ -66,10 +69,7 @@ pub(crate) enum Command {
     League(League),
     /// Say what is not in order in a maze, where, and what to do about it.
     #[command(after_help = "Exit status: 0 nothing found, 1 findings, 2 unreadable.")]
-    Check {
-        #[arg(value_name = "MAZE", help = MAZE_HELP)]
-        maze: PathBuf,
-    },
+    Check(Input),
     /// Make a maze from a seed and print it as a .maze file; the same options always give the same maze.
     #[command(
         after_help = "Example: linemaze generate --size 9x6 --loops 25% --dead-ends 80% --seed 1924 > mine.maze"
@@ -77,14 +77,7 @@ pub(crate) enum Command {
     Generate(Generate),
     /// Write a maze in another format; OUT's extension chooses.
     #[command(after_help = "What IN is, its content tells. OUT is replaced if it exists.")]
-    Convert {
-        #[arg(value_name = "IN", help = MAZE_HELP)]
-        from: PathBuf,
-        /// The file to write: .maze (text), .json (for programs), .svg (a picture in true size); walls also as
-        /// micromouse files: .txt (drawing), .map, .num (mms), .maz (256 bytes)
-        #[arg(value_name = "OUT")]
-        to: PathBuf,
-    },
+    Convert(Convert),
     /// Be a robot that speaks the protocol of PROTOCOL.md, in an ideal world, until the end of input or a signal.
     #[command(
         after_help = "Whoever opens the pseudo-terminal resets the robot, as opening the port of an Uno does; it is ready a second later.\n\
@@ -103,14 +96,11 @@ pub(crate) enum Command {
 
 const RUN_STATUS: &str = "Exit status: 0 finish reached or all mapped, 1 any other outcome, 2 the input or the arguments make no sense.";
 
-const MAZE_HELP: &str =
-    "A maze file of any readable format (.maze, JSON, micromouse), or - for standard input";
-
 /// What `run` and `trace` take.
 #[derive(Args)]
 pub(crate) struct Explore {
-    #[arg(value_name = "MAZE", help = MAZE_HELP)]
-    pub(crate) maze: PathBuf,
+    #[command(flatten)]
+    pub(crate) maze: Input,
     /// Whose algorithm drives
     #[arg(long, value_name = "NAME", default_value_t, value_parser = names())]
     pub(crate) explorer: Name,
@@ -124,8 +114,8 @@ pub(crate) struct Explore {
 /// What `turns` takes.
 #[derive(Args)]
 pub(crate) struct Turns {
-    #[arg(value_name = "MAZE", help = MAZE_HELP)]
-    pub(crate) maze: PathBuf,
+    #[command(flatten)]
+    pub(crate) maze: Input,
     /// Whose algorithm drives
     #[arg(long, value_name = "NAME", default_value_t, value_parser = names())]
     pub(crate) explorer: Name,
@@ -156,8 +146,8 @@ pub(crate) enum TurnsForm {
 /// What `compare` takes.
 #[derive(Args)]
 pub(crate) struct Compare {
-    #[arg(value_name = "MAZE", help = MAZE_HELP)]
-    pub(crate) maze: PathBuf,
+    #[command(flatten)]
+    pub(crate) maze: Input,
     /// Two to six explorers, with commas between them
     #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = names(), hide_possible_values = true,
         default_value = "book,left-hand,right-hand,mapping,tremaux,flood-fill")]
@@ -189,6 +179,9 @@ pub(crate) struct League {
     pub(crate) generate: Option<u32>,
     #[command(flatten)]
     pub(crate) recipe: Generate,
+    /// The finish of files that name none: centre (one, two or four squares in the middle), or a point X,Y
+    #[arg(long, value_name = "WHERE", allow_hyphen_values = true)]
+    pub(crate) finish: Vec<Finish>,
     /// Explorers, with commas between them [default: all]
     #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = names(), hide_possible_values = true)]
     explorers: Vec<Name>,
@@ -213,6 +206,19 @@ impl League {
     }
 }
 
+/// What `convert` takes.
+#[derive(Args)]
+pub(crate) struct Convert {
+    #[arg(value_name = "IN", help = MAZE_HELP)]
+    pub(crate) from: PathBuf,
+    /// The file to write: .maze (text), .json (for programs), .svg (a picture in true size); walls also as
+    /// micromouse files: .txt (drawing), .map, .num (mms), .maz (256 bytes)
+    #[arg(value_name = "OUT")]
+    pub(crate) to: PathBuf,
+    #[command(flatten)]
+    pub(crate) marks: Marks,
+}
+
 /// What `robot` takes.
 #[derive(Args)]
 #[command(group = ArgGroup::new("line").args(["pty", "stdio"]).required(true))]
@@ -226,6 +232,8 @@ pub(crate) struct Robot {
     /// The maze that it stands in: a file of any readable format, or - for standard input
     #[arg(long, value_name = "FILE")]
     pub(crate) maze: PathBuf,
+    #[command(flatten)]
+    pub(crate) marks: Marks,
     /// Lose, flip, double and delay bytes, reset, fall silent and flood, the same way for the same seed
     #[arg(long, value_name = "SEED", allow_negative_numbers = true, value_parser = seed)]
     pub(crate) faults: Option<u64>,

@@ -1,17 +1,17 @@
 //! `linemaze check`: what is not in order, where, and what to do.
 
 use std::io::Write;
-use std::path::Path;
 
 use line_maze_lab::maze::checks::{self, Severity};
 
+use crate::args::Input;
 use crate::{Failure, Status, files};
 
 /// Prints what was found; nothing found is good.
-pub(crate) fn check(path: &Path, out: &mut impl Write) -> Result<Status, Failure> {
-    let maze = files::read(path)?;
+pub(crate) fn check(input: &Input, out: &mut impl Write) -> Result<Status, Failure> {
+    let maze = files::open(input)?;
     let report = checks::report(&maze);
-    let name = files::name(path);
+    let name = files::name(&input.path);
     for finding in &report.findings {
         let severity = match finding.severity() {
             Severity::Error => "error",

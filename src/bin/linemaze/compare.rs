@@ -21,9 +21,9 @@ use crate::{Failure, Status, files, progress};
 
 /// `linemaze compare`
 pub(crate) fn compare(args: &Compare, out: &mut impl Write) -> Result<Status, Failure> {
-    let maze = files::read(&args.maze)?;
+    let maze = files::open(&args.maze)?;
     let settings = explore::checked(&maze, args.settings.settings())?;
-    let name = files::name(&args.maze);
+    let name = files::name(&args.maze.path);
     if let Some(draws) = args.random_orders {
         return random_orders(&maze, &settings, &name, draws, out);
     }

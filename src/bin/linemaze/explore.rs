@@ -61,9 +61,9 @@ fn write_stop(args: &Explore, stop: &StopReport, out: &mut impl Write) -> Result
 }
 
 fn explored(args: &Explore) -> Result<(Maze, Settings, AnyRun), Failure> {
-    let maze = files::read(&args.maze)?;
+    let maze = files::open(&args.maze)?;
     let settings = checked(&maze, args.settings.settings())?;
-    let name = files::name(&args.maze);
+    let name = files::name(&args.maze.path);
     let run = line_maze_lab::run::record(&maze, &settings, args.explorer)
         .map_err(|error| Failure::Message(format!("{name}: {error}")))?;
     Ok((maze, settings, run))

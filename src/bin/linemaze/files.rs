@@ -10,9 +10,21 @@ use line_maze_lab::maze::json::{self, JsonError};
 use line_maze_lab::maze::micromouse::Spot;
 use line_maze_lab::maze::{Maze, text};
 
-use crate::args::Generate;
+use crate::args::{Convert, Generate, Input, Marks};
 use crate::locate::{self, Place};
 use crate::{Failure, Status};
+
+/// Reads the maze that a command takes, with start and finish where its options have them.
+pub(crate) fn open(input: &Input) -> Result<Maze, Failure> {
+    marked(&input.path, &input.marks)
+}
+
+/// A file's maze with other marks than its own.
+pub(crate) fn marked(path: &Path, marks: &Marks) -> Result<Maze, Failure> {
+    let mut maze = read(path)?;
+    marks.put_on(&mut maze).map_err(|why| Failure::Message(format!("{}: {why}", name(path))))?;
+    Ok(maze)
+}
 
 /// Reads a maze from a file, or from standard input where the path is `-`.
 pub(crate) fn read(path: &Path) -> Result<Maze, Failure> {
@@ -84,9 +96,9 @@ pub(crate) fn generate(args: &Generate, out: &mut impl Write) -> Result<Status, 
 }
 
 /// `linemaze convert`
-pub(crate) fn convert(from: &Path, to: &Path) -> Result<Status, Failure> {
+pub(crate) fn convert(Convert { from, to, marks }: &Convert) -> Result<Status, Failure> {
     let format = format(to)?;
-    let maze = read(from)?;
+    let maze = marked(from, marks)?;
     let bytes = file::write(&maze, format)
         .map_err(|error| Failure::Message(format!("{}: cannot become {}: {error}", name(from), name(to))))?;
     fs::write(to, bytes).map_err(|error| Failure::Message(format!("{}: {error}", to.display())))?;

@@ -12,6 +12,7 @@ use line_maze_lab::compare::score::Column;
 use line_maze_lab::maze::generate;
 use rayon::prelude::*;
 
+use crate::args::put_finish;
 use crate::compare::decimals;
 use crate::count;
 use crate::folders::Files;
@@ -78,7 +79,15 @@ fn courses(args: &args::League) -> Result<(Vec<Course>, usize), Failure> {
     let Files { found, mut unreadable, .. } = Files::of(&args.mazes);
     for path in &found {
         match files::read(path) {
-            Ok(maze) => courses.push(Course::File { name: files::name(path), maze }),
+            Ok(mut maze) => {
+                let name = files::name(path);
+                if maze.finish().is_empty() {
+                    put_finish(&args.finish, &mut maze).map_err(|at| {
+                        Failure::Message(format!("{name}: --finish {at} is off the lattice; choose centre"))
+                    })?;
+                }
+                courses.push(Course::File { name, maze });
+            }
             Err(Failure::Message(message)) => {
                 unreadable += 1;
                 crate::complain(&message);

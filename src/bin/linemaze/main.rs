@@ -77,9 +77,9 @@ fn obey(command: &Command, out: &mut impl Write) -> Result<Status, Failure> {
         Command::Turns(args) => turns::turns(args, out),
         Command::Compare(args) => compare::compare(args, out),
         Command::League(args) => league::league(args, out),
-        Command::Check { maze } => check::check(maze, out),
+        Command::Check(input) => check::check(input, out),
         Command::Generate(args) => files::generate(args, out),
-        Command::Convert { from, to } => files::convert(from, to),
+        Command::Convert(args) => files::convert(args),
         Command::Robot(args) => robot::robot(args, out),
         Command::LinkCheck(args) => link_check::link_check(args, out),
     }

@@ -17,7 +17,7 @@ const TICK_MS: u32 = 2;
 
 /// `linemaze robot`
 pub(crate) fn robot(args: &Robot, out: &mut impl Write) -> Result<Status, Failure> {
-    let maze = files::read(&args.maze)?;
+    let maze = files::marked(&args.maze, &args.marks)?;
     let refused = |error| Failure::Message(format!("{}: {error}", files::name(&args.maze)));
     let mut robot = DemoRobot::new(&maze, 0).map_err(refused)?.at_baud(args.baud.unwrap_or(115_200));
     if let Some(seed) = args.faults {

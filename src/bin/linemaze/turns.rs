@@ -11,9 +11,9 @@ use crate::{Failure, Status, explore, files};
 
 /// `linemaze turns`
 pub(crate) fn turns(args: &Turns, out: &mut impl Write) -> Result<Status, Failure> {
-    let maze = files::read(&args.maze)?;
+    let maze = files::open(&args.maze)?;
     let settings = explore::checked(&maze, args.settings.settings())?;
-    let name = files::name(&args.maze);
+    let name = files::name(&args.maze.path);
     let run = record(&maze, &settings, args.explorer)
         .map_err(|error| Failure::Message(format!("{name}: {error}")))?;
     let route = match solved(&maze, &run) {

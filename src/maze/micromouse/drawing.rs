@@ -14,7 +14,7 @@ use alloc::string::String;
 use alloc::vec::Vec;
 
 use super::error::{Expected, MicromouseError, Problem};
-use super::{Form, centre, usual_start};
+use super::{Form, usual_start};
 use crate::geometry::{Heading, Point};
 use crate::maze::text::Place;
 use crate::maze::{BoundsError, Kind, MAX_SIDE, Maze, Start};
@@ -65,7 +65,7 @@ pub(super) fn read(text: &str) -> Result<Maze, MicromouseError> {
     }
     let Reader { mut maze, start, mut finish, .. } = reader;
     if matches!(style, Style::Loose) && start.is_none() && finish.is_empty() {
-        finish = centre(bounds);
+        finish = bounds.centre();
     }
     let start = start.map_or(usual_start(bounds), |(at, _)| Start { at, heading: Heading::North });
     maze.set_start(Some(start));

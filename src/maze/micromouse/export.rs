@@ -4,7 +4,7 @@
 use alloc::vec::Vec;
 use core::fmt;
 
-use super::{Form, binary, centre, drawing, num, usual_start};
+use super::{Form, binary, drawing, num, usual_start};
 use crate::geometry::{Heading, Point};
 use crate::maze::{Kind, Maze};
 
@@ -91,7 +91,7 @@ pub fn write(maze: &Maze, form: Form) -> Result<Vec<u8>, CannotSay> {
             if start != usual_start(bounds) {
                 return Err(CannotSay::StartAt(start.at));
             }
-            if !maze.finish().is_empty() && maze.finish() != centre(bounds) {
+            if !maze.finish().is_empty() && maze.finish() != bounds.centre() {
                 return Err(CannotSay::Finish);
             }
         }
