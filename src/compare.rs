@@ -25,6 +25,7 @@ use crate::maze::{Maze, Start};
 use crate::playback::Timeline;
 use crate::run::{AnyRun, record};
 use crate::settings::Settings;
+use crate::trace::Moment;
 use crate::world::CannotStart;
 use score::{Bests, Score};
 
@@ -143,6 +144,14 @@ impl Path<'_> {
         let (from, to) = (self.place(stop - 1), self.place(stop));
         let towards = |heading: &Heading| from.step(*heading).distance(to) < from.distance(to);
         Heading::ALL.into_iter().find(towards).unwrap_or(self.start.heading)
+    }
+
+    /// The drawing's heading that the robot faces when a stop is over.
+    fn faces(self, stop: u32) -> Heading {
+        match self.run {
+            AnyRun::Book(run) => run.trace().bot_dir(Moment::after(stop)).out_of_frame_of(self.start.heading),
+            AnyRun::Other(run) => run.step(stop).faces(),
+        }
     }
 
     fn stops(self) -> u32 {

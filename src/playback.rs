@@ -120,8 +120,8 @@ enum Going {
     Playing { rest_s: f64 },
     /// To the next stop, then still, at this moment.
     On { to: Moment },
-    /// Backwards to the stop that the words already show.
-    Home,
+    /// Backwards to the stop that the words already show, from this moment.
+    Home { from: Moment },
 }
 
 /// Where a run is played, and how.
@@ -159,6 +159,17 @@ impl Playback {
     #[must_use]
     pub const fn along(&self) -> f64 {
         self.along
+    }
+
+    /// The moment at which the drive towards the next stop ends, or ended: whether the lines of that stop have run
+    /// decides how the bot faces there.
+    #[must_use]
+    pub const fn bound(&self) -> Moment {
+        match self.going {
+            Going::On { to } => to,
+            Going::Home { from } => from,
+            Going::Still | Going::Playing { .. } => self.arrival(self.moment.stop + 1),
+        }
     }
 
     /// Whether it plays on and on.
@@ -240,7 +251,7 @@ impl Playback {
                     self.jump(to);
                 }
             }
-            Going::Home => {
+            Going::Home { .. } => {
                 self.along -= dt_s / STEP_S;
                 if self.along <= 0.0 {
                     self.jump(self.moment);
@@ -266,6 +277,10 @@ impl Playback {
             if self.moment.stop >= line.stops() {
                 self.going = Going::Still;
                 return;
+            }
+            // Who drives off has done all lines of the stop.
+            if self.along == 0.0 {
+                self.moment = Moment::after(self.moment.stop);
             }
             let next = self.moment.stop + 1;
             let drive_s = (f64::from(line.drive_ms(next)) / 1000.0).clamp(0.05, LONGEST_DRIVE_S);
@@ -312,10 +327,10 @@ impl Playback {
     }
 
     fn back(&mut self, unit: Unit, line: &dyn Timeline) {
-        if self.along > 0.0 && self.going != Going::Home {
+        if self.along > 0.0 && !matches!(self.going, Going::Home { .. }) {
             // In the middle of a drive: back to where it began.
             match self.motion {
-                Motion::Smooth => self.going = Going::Home,
+                Motion::Smooth => self.going = Going::Home { from: self.bound() },
                 Motion::Reduced => self.jump(self.moment),
             }
             return;
@@ -327,10 +342,11 @@ impl Playback {
         if self.moment.stop == 0 {
             return self.jump(self.moment);
         }
-        self.jump(Moment::after(self.moment.stop - 1));
+        let from = self.moment;
+        self.jump(Moment::after(from.stop - 1));
         if self.motion == Motion::Smooth {
             self.along = 1.0;
-            self.going = Going::Home;
+            self.going = Going::Home { from };
         }
     }
 

@@ -31,7 +31,7 @@ pub const TALLY_EVERY: usize = 64;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Step {
     /// From the lowest bit: ways 4, finish 1, home 2, turn 2, whether it drove on 1, heading 2, case 8,
-    /// lines 5.
+    /// lines 5. The turn is kept also where the referee ended the run after it.
     packed: u32,
     /// Cells east and north of the lattice's south-west corner.
     east: u16,
@@ -43,9 +43,10 @@ impl Step {
         self.packed >> shift & ((1 << count) - 1)
     }
 
-    fn new(look: Look, at: Point, heading: Heading, decision: Decision, said: &Said) -> Self {
-        let turn = match decision {
-            Decision::Go(turn) => 1 << 2 | turn as u32,
+    fn new(look: Look, at: Point, heading: Heading, [meant, done]: [Decision; 2], said: &Said) -> Self {
+        let goes_on = matches!(done, Decision::Go(_));
+        let turn = match meant {
+            Decision::Go(turn) => u32::from(goes_on) << 2 | turn as u32,
             Decision::End(_) => 0,
         };
         let packed = u32::from(look.sighting.ways.bits())
@@ -68,6 +69,13 @@ impl Step {
     #[must_use]
     pub const fn heading(self) -> Heading {
         Heading::from_index(self.bits(10, 2) as u8)
+    }
+
+    /// The heading that it faces when the stop is over, in the drawing's frame: also where it made up its mind to turn
+    /// and the referee ended the run.
+    #[must_use]
+    pub const fn faces(self) -> Heading {
+        self.heading().turned(Turn::from_index(self.bits(7, 2) as u8))
     }
 
     /// The case's place in the explorer's table.
@@ -369,11 +377,18 @@ impl Recorder {
         self.keys.offer(self.steps.len(), mind);
     }
 
-    /// It ends with this.
-    pub(crate) fn end(&mut self, look: Look, at: Point, heading: Heading, decision: Decision, said: &Said) {
+    /// It ends with this: what the robot meant to do, and what came of it.
+    pub(crate) fn end(
+        &mut self,
+        look: Look,
+        at: Point,
+        heading: Heading,
+        decisions: [Decision; 2],
+        said: &Said,
+    ) {
         let sw = self.bounds.sw();
         let at = Point::new(at.x - sw.x, at.y - sw.y);
-        let step = Step::new(look, at, heading, decision, said);
+        let step = Step::new(look, at, heading, decisions, said);
         if let Some(&before) = self.steps.last() {
             self.tally = on(self.tally, before).driven(step.cells_from(before));
         }

@@ -3,7 +3,7 @@
 
 use alloc::vec::Vec;
 
-use crate::geometry::{Heading, Point, Ways};
+use crate::geometry::{Heading, Point, Turn, Ways};
 use crate::ink::{Cell, CellState, Ink};
 use crate::maze::Maze;
 use crate::route::Route;
@@ -103,65 +103,91 @@ pub struct Pose {
     pub degrees: f64,
 }
 
-/// The share of a drive that the bot turns at its beginning, when it has a turn to make.
+/// The share of a drive, at its end, in which the bot turns to where it goes on, when it has a turn to make.
 const TURNING: f64 = 0.25;
 
 /// One drive, as a pose needs it.
 struct Drive {
     from: Point,
     to: Point,
-    arrived: Heading,
-    leaves: Heading,
+    /// How the bot faces while it drives.
+    faces: Heading,
+    /// How it faces once it has settled at the stop.
+    settles: Heading,
 }
 
 impl Drive {
+    /// Settled at a place.
+    const fn none(at: Point, faces: Heading) -> Self {
+        Self { from: at, to: at, faces, settles: faces }
+    }
+
     fn pose(&self, along: f64) -> Pose {
-        let quarter = match self.arrived.turn_to(self.leaves) as u8 {
-            3 => -1.0,
-            turns => f64::from(turns),
+        let quarters = match self.faces.turn_to(self.settles) {
+            Turn::Straight => 0.0,
+            Turn::Right => 1.0,
+            Turn::Back => 2.0,
+            Turn::Left => -1.0,
         };
-        let turning = if quarter == 0.0 || self.from == self.to { 0.0 } else { TURNING };
-        let turned = if turning == 0.0 { 1.0 } else { (along / turning).min(1.0) };
-        let driven = ((along - turning) / (1.0 - turning)).max(0.0);
+        let turning = if quarters == 0.0 { 0.0 } else { TURNING };
+        let driven = (along / (1.0 - turning)).min(1.0);
+        let turned = if turning == 0.0 { 0.0 } else { ((along - 1.0 + turning) / turning).clamp(0.0, 1.0) };
         let between = |a: i32, b: i32| f64::from(a) + f64::from(b - a) * driven;
         Pose {
             x: between(self.from.x, self.to.x),
             y: between(self.from.y, self.to.y),
-            degrees: f64::from(self.arrived.index()) * 90.0 + quarter * 90.0 * turned,
+            degrees: (f64::from(self.faces.index()) + quarters * turned) * 90.0,
         }
     }
 }
 
-/// The bot after a stop, `along` of the way (0 to 1) to the next. It turns when it drives off, so at a stop it
-/// faces where it came from; at the very end too.
+/// Where a run is shown: a settled moment, or some of the way from there to the next stop.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Shown {
+    /// The moment that the words tell.
+    pub moment: Moment,
+    /// How much of the way to the next stop is driven, 0 to 1; at 0 the bot stands.
+    pub along: f64,
+    /// The moment at which the drive ends: with some lines of that stop, or with all.
+    pub bound: Moment,
+}
+
+impl Shown {
+    /// Settled at a moment.
+    #[must_use]
+    pub const fn settled(moment: Moment) -> Self {
+        Self { moment, along: 0.0, bound: moment }
+    }
+}
+
+/// The bot where a run is shown. At a moment it faces `bot_dir` as the lines so far have set it: after a whole stop,
+/// where it goes on to.
 #[must_use]
-pub fn pose(trace: &Trace, ink: &Ink, stop: u32, along: f64) -> Pose {
-    let stop = stop.min(trace.stops());
-    let (arrived, leaves) =
-        trace.step(stop).map_or((Heading::North, Heading::North), |step| (step.arrival(), step.departure()));
+pub fn pose(trace: &Trace, ink: &Ink, shown: Shown) -> Pose {
+    let faces = |moment: Moment| trace.bot_dir(moment).out_of_frame_of(ink.north());
+    let stop = shown.moment.stop.min(trace.stops());
+    if shown.along <= 0.0 || stop == trace.stops() {
+        return Drive::none(ink.place(stop), faces(shown.moment)).pose(0.0);
+    }
     let drive = Drive {
         from: ink.place(stop),
         to: ink.place(stop + 1),
-        arrived: arrived.out_of_frame_of(ink.north()),
-        leaves: leaves.out_of_frame_of(ink.north()),
+        faces: faces(Moment::after(stop)),
+        settles: faces(Moment { stop: stop + 1, ..shown.bound }),
     };
-    drive.pose(along)
+    drive.pose(shown.along)
 }
 
-/// The bot in round 2, after a stop of the route.
+/// The bot in round 2, after a stop of the route, `along` of the way (0 to 1) to the next.
 #[must_use]
 pub fn route_pose(route: &Route, north: Heading, stop: u32, along: f64) -> Pose {
-    let here = route.leg(stop);
-    let next = route.leg(stop + 1);
+    let (here, next) = (route.leg(stop), route.leg(stop + 1));
     let from = here.map_or(route.start, |leg| leg.at);
     let arrived = here.map_or(north, |leg| leg.heading);
-    let drive = Drive {
-        from,
-        to: next.map_or(from, |leg| leg.at),
-        arrived,
-        leaves: next.map_or(arrived, |leg| leg.heading),
-    };
-    drive.pose(along)
+    let faces = next.map_or(arrived, |leg| leg.heading);
+    let Some(next) = next.filter(|_| along > 0.0) else { return Drive::none(from, faces).pose(0.0) };
+    let settles = route.leg(stop + 2).map_or(faces, |leg| leg.heading);
+    Drive { from, to: next.at, faces, settles }.pose(along)
 }
 
 /// The cells between two stops' places, from the first on: what the bot is driving over.

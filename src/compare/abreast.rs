@@ -57,8 +57,7 @@ pub fn at(maze: &Maze, run: &AnyRun, pace: &Pace, clock: Clock) -> Option<Positi
         Clock::Seconds(seconds) => {
             let stop = last(run, |tally| tally.seconds(cell_mm, pace) <= seconds);
             let passed = seconds - run.tally(stop).seconds(cell_mm, pace);
-            let turn = path.heading(stop).turn_to(path.heading((stop + 1).min(run.stops())));
-            let turning = pace.seconds(turn);
+            let turning = turning(run, pace, stop);
             let leg = f64::from(run.tally(stop + 1).cells - run.tally(stop).cells);
             let driving = leg * cell_mm / pace.speed_mm_s;
             let turned = if turning > 0.0 { (passed / turning).min(1.0) } else { 1.0 };
@@ -75,7 +74,7 @@ pub fn total(maze: &Maze, run: &AnyRun, pace: &Pace) -> (f64, f64) {
     (f64::from(tally.cells), tally.seconds(maze.scale.cell_mm(), pace))
 }
 
-/// The next moment at which any of the runs comes to a stop; none where all are at their ends.
+/// The next moment at which any of the runs has come to a stop and turned there; none where all are at their ends.
 ///
 /// ```
 /// use line_maze_lab::compare::abreast::{Clock, before, next};
@@ -95,12 +94,17 @@ pub fn next<'r>(
     clock: Clock,
 ) -> Option<Clock> {
     let face = Face { clock, cell_mm: maze.scale.cell_mm(), pace };
-    let after = |run: &AnyRun| face.of(run, run.first(|tally| face.read(tally) > clock.value()));
+    // The robot may still turn at the stop that it came to last.
+    let after = |run: &AnyRun| {
+        let here = last(run, |tally| face.read(tally) <= clock.value());
+        let settled = face.of(run, here);
+        if settled > clock.value() { settled } else { face.of(run, (here + 1).min(run.stops())) }
+    };
     let times = runs.into_iter().map(after).filter(|&time| time > clock.value());
     times.min_by(f64::total_cmp).map(|time| clock.with(time))
 }
 
-/// The last moment before this one at which any of the runs came to a stop; none at the start.
+/// The last moment before this one at which any of the runs had come to a stop and turned there; none at the start.
 #[must_use]
 pub fn before<'r>(
     maze: &Maze,
@@ -109,7 +113,11 @@ pub fn before<'r>(
     clock: Clock,
 ) -> Option<Clock> {
     let face = Face { clock, cell_mm: maze.scale.cell_mm(), pace };
-    let earlier = |run: &AnyRun| face.of(run, last(run, |tally| face.read(tally) < clock.value()));
+    let earlier = |run: &AnyRun| {
+        let here = last(run, |tally| face.read(tally) < clock.value());
+        let settled = face.of(run, here);
+        if settled < clock.value() { settled } else { face.of(run, here.saturating_sub(1)) }
+    };
     let times = runs.into_iter().map(earlier).filter(|&time| time < clock.value());
     times.max_by(f64::total_cmp).map(|time| clock.with(time))
 }
@@ -132,7 +140,7 @@ impl Clock {
         }
     }
 
-    /// What it shows when a run comes to a stop.
+    /// What it shows when a run has come to a stop and turned there.
     #[must_use]
     pub fn at_stop(self, maze: &Maze, run: &AnyRun, pace: &Pace, stop: u32) -> Self {
         self.with(Face { clock: self, cell_mm: maze.scale.cell_mm(), pace }.of(run, stop))
@@ -154,9 +162,20 @@ impl Face<'_> {
         }
     }
 
+    /// When the robot has settled at a stop: its turn is made.
     fn of(&self, run: &AnyRun, stop: u32) -> f64 {
-        self.read(run.tally(stop))
+        let arrived = self.read(run.tally(stop));
+        match self.clock {
+            Clock::Cells(_) => arrived,
+            Clock::Seconds(_) => arrived + turning(run, self.pace, stop),
+        }
     }
+}
+
+/// Seconds that a robot turns at a stop before it drives on.
+fn turning(run: &AnyRun, pace: &Pace, stop: u32) -> f64 {
+    let turn = if stop < run.stops() { run.turn(stop) } else { None };
+    turn.map_or(0.0, |turn| pace.seconds(turn))
 }
 
 /// The last stop for which this holds, which holds up to some stop and then no more.
@@ -171,10 +190,9 @@ impl Path<'_> {
         let over = stop >= self.stops();
         let along = if over { 0.0 } else { along.clamp(0.0, 1.0) };
         let (from, arrived) = (self.place(stop), self.heading(stop));
-        let (to, leaves) =
-            if over { (from, arrived) } else { (self.place(stop + 1), self.heading(stop + 1)) };
+        let to = if over { from } else { self.place(stop + 1) };
         let between = |a: i32, b: i32| f64::from(a) + f64::from(b - a) * along;
-        let degrees = degrees(arrived, arrived.turn_to(leaves), turned);
+        let degrees = degrees(arrived, arrived.turn_to(self.faces(stop)), if over { 1.0 } else { turned });
         Position { stop, along, pose: Pose { x: between(from.x, to.x), y: between(from.y, to.y), degrees } }
     }
 }

@@ -110,3 +110,40 @@ fn a_step_is_seen_and_can_be_hurried() {
     playback.tick(0.25, &Five);
     assert!(!playback.is_moving());
 }
+
+#[test]
+fn a_drive_knows_how_much_of_its_stop_is_told_at_its_end() {
+    use Command::{BackBy, Forward, ForwardBy, Pause, StepBy, Toggle};
+    let begun = |commands: &[Command]| {
+        let mut playback = Playback::default();
+        for &command in commands {
+            playback.apply(command, &Five);
+        }
+        playback.tick(STEP_S / 2.0, &Five);
+        assert!(playback.along() > 0.0);
+        playback.bound()
+    };
+    let (whole, line) = (Moment::after(1), Moment { stop: 1, lines: 1 });
+    assert_eq!(begun(&[Forward]), whole);
+    assert_eq!(begun(&[ForwardBy(Unit::Line)]), line);
+    assert_eq!(begun(&[Toggle]), whole);
+    assert_eq!(begun(&[StepBy(Unit::Line), Toggle]), line);
+    // Backwards it leaves as it stood.
+    assert_eq!(begun(&[Command::Seek(line), BackBy(Unit::Line)]), line);
+    assert_eq!(begun(&[Command::Seek(whole), BackBy(Unit::Stop)]), whole);
+    let mut paused = Playback::default();
+    paused.apply(Toggle, &Five);
+    paused.tick(0.2, &Five);
+    paused.apply(Pause, &Five);
+    assert_eq!(paused.bound(), whole);
+}
+
+#[test]
+fn who_plays_on_from_the_middle_of_a_stop_has_done_its_lines() {
+    let mut playback = Playback::default();
+    playback.apply(Command::Seek(Moment { stop: 1, lines: 2 }), &Five);
+    playback.apply(Command::Toggle, &Five);
+    playback.tick(0.1, &Five);
+    assert!(playback.along() > 0.0);
+    assert_eq!(playback.moment(), Moment::after(1), "no drive begins in the middle of a stop");
+}

@@ -91,17 +91,17 @@ fn drive(maze: &Maze, start: Start, settings: &Settings, name: Name, mut mind: M
     let outcome = loop {
         recorder.begin(&mind);
         let mut said = Said::default();
-        let decision = mind.decide(look, &mut said);
+        let meant = mind.decide(look, &mut said);
         let (at, heading, stop) = (rover.at(), rover.heading(), recorder.next());
-        let decision = match decision {
+        let decision = match meant {
             Decision::End(Outcome::Mapped) | Decision::Go(_) => {
-                referee.verdict(stop, at, heading).map_or(decision, Decision::End)
+                referee.verdict(stop, at, heading).map_or(meant, Decision::End)
             }
             // Where no way leaves the start, there is more to say than that the finish is out of reach.
             Decision::End(Outcome::NoFinishReachable) if referee.stuck => Decision::End(Outcome::Stuck),
-            Decision::End(_) => decision,
+            Decision::End(_) => meant,
         };
-        recorder.end(look, at, heading, decision, &said);
+        recorder.end(look, at, heading, [meant, decision], &said);
         let turn = match decision {
             Decision::End(outcome) => break outcome,
             Decision::Go(_) if stop >= limit => break Outcome::TooManyStops { limit },

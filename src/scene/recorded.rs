@@ -4,19 +4,35 @@
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 
-use super::{Drive, NodeMark, Pose};
+use super::{Drive, NodeMark, Pose, Shown};
 use crate::explorer::flood_fill::INFINITE;
 use crate::explorer::mind::{Field, Mind, Plan, Robot};
 use crate::geometry::{Heading, Point};
 use crate::recording::Recording;
+use crate::trace::Moment;
 
-/// The robot after a stop, `along` of the way (0 to 1) to the next.
+/// The robot where a run is shown. While lines of a stop still run it faces where it came; after them, where it
+/// goes on to.
 #[must_use]
-pub fn pose(recording: &Recording, stop: u32, along: f64) -> Pose {
-    let stop = stop.min(recording.stops());
-    let arrived = recording.step(stop).heading();
-    let leaves = if stop < recording.stops() { recording.step(stop + 1).heading() } else { arrived };
-    Drive { from: recording.place(stop), to: recording.place(stop + 1), arrived, leaves }.pose(along)
+pub fn pose(recording: &Recording, shown: Shown) -> Pose {
+    let stop = shown.moment.stop.min(recording.stops());
+    if shown.along <= 0.0 || stop == recording.stops() {
+        return Drive::none(recording.place(stop), faces(recording, shown.moment)).pose(0.0);
+    }
+    let drive = Drive {
+        from: recording.place(stop),
+        to: recording.place(stop + 1),
+        faces: recording.step(stop).faces(),
+        settles: faces(recording, Moment { stop: stop + 1, ..shown.bound }),
+    };
+    drive.pose(shown.along)
+}
+
+/// The drawing's heading that the robot faces at a moment.
+#[must_use]
+pub fn faces(recording: &Recording, moment: Moment) -> Heading {
+    let step = recording.step(moment.stop);
+    if moment.stop > 0 && moment.lines < step.lines() { step.heading() } else { step.faces() }
 }
 
 /// A place in the robot's own frame, in cells from the start, on the floor.

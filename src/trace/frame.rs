@@ -203,6 +203,16 @@ impl Trace {
         }
     }
 
+    /// `bot_dir` at a moment: what a picture of the bot has to show.
+    #[must_use]
+    pub fn bot_dir(&self, moment: Moment) -> Heading {
+        let here = self.clamp(moment);
+        if here.lines < self.lines(here.stop) {
+            return self.frame(here).state.bot_dir;
+        }
+        self.step(here.stop).map_or(Heading::North, Step::departure)
+    }
+
     /// What the views show at a moment.
     #[must_use]
     pub fn frame(&self, moment: Moment) -> Frame {

@@ -7,14 +7,15 @@ use leptos::prelude::*;
 
 use super::Watched;
 use super::run::{At, OtherRun};
-use crate::geometry::{Heading, Point, Ways};
+use crate::geometry::{Point, Ways};
 use crate::recording::driven::Times;
 use crate::scene::{self, Pose, recorded};
+use crate::trace::Moment;
 use crate::web::erase::{part, sig};
 use crate::web::maze_view::{Bot, Camera, size_of};
 use crate::web::paths::{self, UNIT};
 use crate::web::state::{Lab, Round, lab};
-use crate::web::step::scene::{Defs, Ends, Floor, NUMBERED, canvas, discs, dots, route};
+use crate::web::step::scene::{Defs, Ends, Floor, NUMBERED, canvas, discs, dots, route, shown};
 use crate::web::step::walled;
 
 /// The picture of the run.
@@ -42,7 +43,7 @@ pub fn stage(watched: Watched) -> AnyView {
             class:walls=sig(move || walled::is(lab))
             viewBox=sig(move || camera.view_box())
             role="img"
-            aria-label=sig(move || watched.of(|run| describe(run, stop.get())))
+            aria-label=sig(move || watched.of(|run| describe(run, lab.moment.get())))
             data-stop=sig(move || stop.get())
         >
             <Defs />
@@ -149,25 +150,26 @@ fn tape(lab: Lab, watched: Watched, stop: Memo<u32>) -> String {
 
 /// The drive that goes on.
 fn driving(lab: Lab, watched: Watched) -> String {
-    let (along, stop) = lab.playback.with(|playback| (playback.along(), playback.moment().stop));
-    if along == 0.0 {
+    let shown = shown(lab);
+    if shown.along == 0.0 {
         return String::new();
     }
     watched.of(|run| {
-        let pose = recorded::pose(&run.recording, stop, along);
-        let (from, unit) = (run.recording.place(stop), f64::from(UNIT));
+        let pose = recorded::pose(&run.recording, shown);
+        let (from, unit) = (run.recording.place(shown.moment.stop), f64::from(UNIT));
         format!("M{} {}L{:.1} {:.1}", from.x * UNIT, -from.y * UNIT, pose.x * unit, -pose.y * unit)
     })
 }
 
 fn pose(lab: Lab, watched: Watched) -> Pose {
-    let (along, stop) = lab.playing().with(|playback| (playback.along(), playback.moment().stop));
+    let shown = shown(lab);
     let posed = watched.of(|run| {
         Some(match (lab.round.get(), &run.drive) {
             (Round::Solved, Some(drive)) => {
-                scene::route_pose(&drive.route, run.recording.start().heading, stop, along)
+                let north = run.recording.start().heading;
+                scene::route_pose(&drive.route, north, shown.moment.stop, shown.along)
             }
-            _ => recorded::pose(&run.recording, stop, along),
+            _ => recorded::pose(&run.recording, shown),
         })
     });
     posed.unwrap_or(Pose { x: 0.0, y: 0.0, degrees: 0.0 })
@@ -208,13 +210,14 @@ fn names(run: &OtherRun, at: &At) -> String {
     markup
 }
 
-/// The picture in words.
-fn describe(run: &OtherRun, stop: u32) -> String {
-    let Point { x, y } = run.recording.place(stop);
-    let heading: Heading = run.recording.step(stop).heading();
+/// The picture in words; directions are the robot's own, as in its sentences.
+fn describe(run: &OtherRun, moment: Moment) -> String {
+    let Point { x, y } = run.recording.place(moment.stop);
+    let faces = recorded::faces(&run.recording, moment).in_frame_of(run.recording.start().heading);
     format!(
-        "Maze at stop {stop} of {}: the bot is at {x},{y}, come {}wards",
+        "Maze at stop {} of {}: the bot is at {x},{y}, facing {}",
+        moment.stop,
         run.recording.stops(),
-        heading.word()
+        faces.word()
     )
 }

@@ -8,7 +8,8 @@ use leptos::prelude::*;
 use crate::geometry::{Heading, Point, Ways};
 use crate::ink::CellState;
 use crate::maze::{Kind, Maze};
-use crate::scene::{self, NodeMark, Pose, Trail};
+use crate::playback::Playback;
+use crate::scene::{self, NodeMark, Pose, Shown, Trail};
 use crate::web::maze_view::{Bot, Camera, Compass, ZoomButtons, finish_mark, name, size_of};
 use crate::web::paths::{self, UNIT};
 use crate::web::played::Played;
@@ -210,12 +211,13 @@ fn draw_trails(run: &Run, stop: u32) -> Drawn {
 fn Driving() -> impl IntoView {
     let lab = lab();
     let path = Memo::new(move |_| {
-        let (along, stop) = lab.playback.with(|playback| (playback.along(), playback.moment().stop));
-        if along == 0.0 {
+        let shown = shown(lab);
+        let stop = shown.moment.stop;
+        if shown.along == 0.0 {
             return (String::new(), false);
         }
         with_run(lab, |run| {
-            let pose = scene::pose(&run.trace, &run.ink, stop, along);
+            let pose = scene::pose(&run.trace, &run.ink, shown);
             let (from, unit) = (run.ink.place(stop), f64::from(UNIT));
             let data = format!(
                 "M{} {}L{} {}",
@@ -262,13 +264,25 @@ pub fn route(lab: Lab) -> String {
     lab.shown(points).unwrap_or_default()
 }
 
+/// Where the run is shown.
+pub fn shown(lab: Lab) -> Shown {
+    let shown = |playback: &Playback| Shown {
+        moment: playback.moment(),
+        along: playback.along(),
+        bound: playback.bound(),
+    };
+    lab.playing().with(shown)
+}
+
 fn pose(lab: Lab) -> Pose {
-    let (along, stop) = lab.playing().with(|playback| (playback.along(), playback.moment().stop));
+    let shown = shown(lab);
     let posed = lab.run.with(|run| {
         let run = run.as_ref().ok()?;
         Some(match (lab.round.get(), &run.drive) {
-            (Round::Solved, Some(drive)) => scene::route_pose(&drive.route, run.ink.north(), stop, along),
-            _ => scene::pose(&run.trace, &run.ink, stop, along),
+            (Round::Solved, Some(drive)) => {
+                scene::route_pose(&drive.route, run.ink.north(), shown.moment.stop, shown.along)
+            }
+            _ => scene::pose(&run.trace, &run.ink, shown),
         })
     });
     posed.unwrap_or_else(|| {
@@ -374,8 +388,9 @@ fn describe(lab: Lab, stop: u32) -> String {
     with_run(lab, |run| {
         let at = run.ink.place(stop);
         let crossed = run.ink.crossed_cells(stop);
+        let faces = run.trace.bot_dir(lab.moment.get()).word();
         format!(
-            "Maze at stop {stop} of {}: the bot is at {at}; {crossed} cells are crossed out",
+            "Maze at stop {stop} of {}: the bot is at {at}, facing {faces}; {crossed} cells are crossed out",
             run.trace.stops()
         )
     })
