@@ -22,7 +22,7 @@ mod visits;
 
 use frame::Pauses;
 pub use frame::{Frame, Moment, State};
-pub use row::{Row, WayState};
+pub use row::{Recognition, Row, WayState};
 pub use script::events;
 use visits::Visits;
 

@@ -16,7 +16,7 @@ use alloc::vec::Vec;
 
 use super::mind::{Field, Plan, Robot};
 use super::squares::{ORDER, Squares, VISITED, wall};
-use super::tell::Said;
+use super::tell::{Said, many};
 use crate::event::{Decision, Finish, Home, Look, Outcome};
 use crate::geometry::{Heading, Point, Turn};
 
@@ -34,11 +34,11 @@ listing! {
 
 cases! {
     START "start" Info Plain "The robot stands on {xy} and looks all round. It writes `{byte}`: visited, and its walls. It *{turn}*."
-    OPEN "first-open" Now Node "On {xy} the robot writes `{byte}`. Of ahead, left and right it takes the first without a wall: it *{turn}*, visited or not."
+    OPEN "first-open" Now Node "On {xy} the robot writes `{byte}`. It goes ahead, else left, else right, where there is no wall, else back, visited or not: it *{turn}*."
     FRESH "unvisited" Now Node "On {xy} the robot writes `{byte}`. Of its open neighbours it takes the first that was never visited: it *{turn}*."
     WORN "all-visited" Now Unknown "On {xy}, `{byte}`, every open neighbour was visited before. The robot takes the first open way all the same: it *{turn}*."
-    PLAN "search" Now Known "On {xy}, `{byte}`, every open neighbour was visited before. The nearest unvisited square is {target}, {left} squares away: the robot *{turn}*."
-    ROUTE "on-route" Info Plain "The robot follows its route over visited squares; {left} are left to {target}. It *{turn}*."
+    PLAN "search" Now Known "On {xy}, `{byte}`, every open neighbour was visited before. The nearest unvisited square on its map is {target}, {left} away: the robot *{turn}*."
+    ROUTE "on-route" Info Plain "The robot follows its route over visited squares to {target}, {left} away: it *{turn}*."
     DONE "mapped" Go End "No square that can be reached is unvisited: the map is *complete*."
 }
 
@@ -182,7 +182,7 @@ impl Robot for Cornell {
         match key {
             "xy" => xy(self.position()),
             "target" => xy(self.target()),
-            "left" => out.push_str(&(self.route.len() + 1).to_string()),
+            "left" => out.push_str(&many(self.route.len() + 1, "square")),
             _ => {
                 let byte = self.squares.byte(self.at);
                 out.push(if byte & VISITED == 0 { '0' } else { '1' });

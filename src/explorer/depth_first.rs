@@ -13,7 +13,7 @@ use alloc::vec::Vec;
 use super::mind::{Plan, Robot};
 use super::places::{Places, Reckoning};
 use super::taste::Taste;
-use super::tell::Said;
+use super::tell::{Said, many};
 use crate::event::{Decision, Finish, Home, Look, Outcome};
 use crate::geometry::{Heading, Turn, Ways};
 use crate::settings::Order;
@@ -37,13 +37,13 @@ listing! {
 cases! {
     START "start" Info Plain "The robot stands at the start and looks all round: it *{turn}*."
     CORNER "corner" Info Plain "There is only one way on, so there is nothing to decide: the robot *{turn}*."
-    NEW "new-node" Now Node "This place is new: it becomes node {node}, and the way behind is its first entry. The robot *{turn}*, the first unused way of its order."
-    LOOP "loop" Now Unknown "The robot knows this place, node {node}, but came by a way that it had never used: a *loop*. It notes that way as used and turns round."
-    NEXT "next-way" Now Known "Back at node {node}. The robot *{turn}*, the first way of its order that is still unused."
-    BACK "back" Now Known "Back at node {node}, and every way is used: the robot leaves by its *first entry*."
+    NEW "new-node" Now Node "No node has these coordinates, so this place becomes node {node}, and the way behind is its first entry. The robot *{turn}*, the first unused way of its order."
+    LOOP "loop" Now Unknown "By its coordinates this is node {node}, but the robot came by a way that it had never used: a *loop*. It notes that way as used and turns round."
+    NEXT "next-way" Now Known "By its coordinates the robot is back at node {node}. It *{turn}*, the first way of its order that is still unused."
+    BACK "back" Now Known "By its coordinates the robot is back at node {node}, and every way is used: it leaves by its *first entry*."
     DEAD "dead-end" Now DeadEnd "The line ends: the robot *turns round*."
-    NONE "no-finish" Bad End "The robot is back at the start and every way is used: it drove *every line*, and none led to a finish."
-    FINISH "finish" Go End "The robot stands on the *finish*. The way here leads over {way} nodes."
+    NONE "no-finish" Bad End "The robot is back at the start, and every way that it knows is used: it drove *every line*, and none led to a finish."
+    FINISH "finish" Go End "The robot stands on the *finish*. The way here leads over {way}."
 }
 
 /// A node as depth first knows it; headings in the robot's own frame.
@@ -193,7 +193,7 @@ impl Robot for DepthFirst {
 
     fn fact(&self, key: &str, out: &mut String) {
         out.push_str(&match key {
-            "way" => self.way.len().to_string(),
+            "way" => many(self.way.len(), "node"),
             _ => (self.node + 1).to_string(),
         });
     }

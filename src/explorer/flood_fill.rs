@@ -7,13 +7,13 @@
 //! | number | squares to the goal as far as the robot knows; infinite where no way leads |
 //! | walls | a byte a square, as in the Cornell map |
 
-use alloc::string::{String, ToString};
+use alloc::string::String;
 use alloc::vec;
 use alloc::vec::Vec;
 
 use super::mind::{Field, Plan, Robot};
 use super::squares::{ORDER, Squares, wall};
-use super::tell::Said;
+use super::tell::{Said, many};
 use crate::event::{Decision, Finish, Home, Look, Outcome};
 use crate::geometry::{Heading, Point, Ways};
 
@@ -27,11 +27,12 @@ listing! {
 }
 
 cases! {
-    START "start" Info Plain "The robot knows where the goal is, but no wall. By its numbers it is {number} squares away: the robot *{turn}*."
-    DOWN "downhill" Info Plain "No wall here is new. The robot is {number} squares from the goal, as far as it knows, and *{turn}*, downhill."
-    FILL "refill" Now Node "New walls: the numbers are *filled in again*. The robot is now {number} squares from the goal, as far as it knows, and *{turn}*."
+    START "start" Info Plain "The robot knows where the goal is, but no walls except those that it sees here. By its numbers the goal is {number} away: the robot *{turn}*."
+    DOWN "downhill" Info Plain "No wall here is new. The robot is {number} from the goal, as far as it knows, and *{turn}*, downhill."
+    FILL "refill" Now Node "New walls: the numbers are *filled in again*. The robot is now {number} from the goal, as far as it knows, and *{turn}*."
     NONE "no-finish" Bad End "No way that could still be there leads to the goal: its number is *infinite*."
     FINISH "finish" Go End "The robot stands on the *finish*, number 0."
+    NO_GOAL "no-goal" Bad End "The robot was told *no goal*, as this maze has no finish. Without one it has nothing to go by."
 }
 
 /// Infinite.
@@ -146,7 +147,7 @@ impl Robot for FloodFill {
         let ways = ORDER.iter().copied().filter(|&turn| look.sighting.sees(turn));
         let lowest = ways.min_by_key(|&turn| self.at_place(self.at.step(self.heading.turned(turn))));
         let Some(turn) = lowest.filter(|_| self.number() != INFINITE) else {
-            said.is(case::NONE);
+            said.is(if self.goal.is_empty() { case::NO_GOAL } else { case::NONE });
             return Decision::End(Outcome::NoFinishReachable);
         };
         said.ran(line::DOWN);
@@ -161,8 +162,8 @@ impl Robot for FloodFill {
 
     fn fact(&self, _: &str, out: &mut String) {
         match self.number() {
-            INFINITE => out.push_str("infinitely many"),
-            number => out.push_str(&number.to_string()),
+            INFINITE => out.push_str("infinitely many squares"),
+            number => out.push_str(&many(number as usize, "square")),
         }
     }
 

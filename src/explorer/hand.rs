@@ -30,9 +30,9 @@ listing! {
 
 cases! {
     START "start" Info Plain "The robot stands at the start and looks all round. Its `path` is {n}: it *{turn}*."
-    CORNER "corner" Info Plain "There is only one way on, so there is nothing to decide: the robot *{turn}*. Corners add no letter."
-    NODE "node" Now Node "At a node the robot takes the way nearest to its {hand} hand: it *{turn}*, and adds that letter. Its `path` is {path}."
-    REDUCED "reduced" Now Known "At a node the robot takes the way nearest to its {hand} hand: it *{turn}*. The way behind led to nothing, so three letters `xBy` become their sum. Its `path` is {path}."
+    CORNER "corner" Info Plain "There is only one way on, so there is nothing to decide: the robot *{turn}*. Only nodes and dead ends add a letter."
+    NODE "node" Now Node "Of several ways the robot takes the one nearest to its {hand} hand: it *{turn}*, and adds that letter. Its `path` is {path}."
+    REDUCED "reduced" Now Known "Of several ways the robot takes the one nearest to its {hand} hand: it *{turn}*. The way behind led to no finish, so three letters `xBy` become their sum. Its `path` is {path}."
     DEAD "dead-end" Now DeadEnd "The line ends: the robot *turns round* and adds the letter `B`. Its `path` is {path}."
     FINISH "finish" Go End "The robot stands on the *finish*. Its `path` is the route: {path}."
 }

@@ -17,7 +17,7 @@ use alloc::vec::Vec;
 use super::book::errata::{Erratum, Kind, Place};
 use super::mind::{Costs, Plan, Robot, Setup};
 use super::places::{Places, Reckoning};
-use super::tell::Said;
+use super::tell::{Said, many};
 use crate::event::{Decision, Finish, Home, Look, Outcome};
 use crate::geometry::{Heading, Point, Turn, Ways};
 use crate::settings;
@@ -42,12 +42,12 @@ listing! {
 
 cases! {
     START "start" Info Plain "The robot stands at the start, which becomes point {point}, at {xy}. Its direction is north: it *{turn}*."
-    NEW "new-point" Now Node "This place is new: it becomes point {point}, at {xy}, of type {type}. The robot takes its first unexplored way, {way}: it *{turn}*."
-    KNOWN "known-point" Now Unknown "The robot knows this place: it is point {point} again, and {explored} of its neighbours are known now. It takes its first unexplored way, {way}: it *{turn}*."
-    SEARCH "nearest" Now DeadEnd "Point {point}: all its ways are explored. The nearest point that has another is {target}, {left} points away: the robot *{turn}*."
+    NEW "new-point" Now Node "No point has these coordinates, {xy}, so this place becomes point {point}, of type {type}. The robot takes its first unexplored way, {way}: it *{turn}*."
+    KNOWN "known-point" Now Unknown "By its coordinates this is point {point} again; of its neighbours, {explored} known now. The robot takes its first unexplored way, {way}: it *{turn}*."
+    SEARCH "nearest" Now DeadEnd "This is point {point}, and all its ways are explored. The nearest point with an unexplored way is {target}, {left} away: the robot *{turn}*."
     ROUTE "on-route" Info Plain "The robot passes point {point} on its way to point {target}, and *{turn}*."
     BACK "at-target" Now Known "The robot is at point {point}, as planned. It takes its first unexplored way, {way}: it *{turn}*."
-    DONE "explored" Go End "No point has an unexplored way: the exploration is *finished*, with {total} points. The columns give the adjacency list."
+    DONE "explored" Go End "No point has an unexplored way: the exploration is *finished*, with {total}. The columns give the adjacency list."
 }
 
 /// Where the paper slips.
@@ -359,11 +359,14 @@ impl Robot for Mapping {
         out.push_str(&match key {
             "point" => column.point.to_string(),
             "type" => column.kind.to_string(),
-            "explored" => column.explored.to_string(),
+            "explored" => match column.explored {
+                1 => "1 is".to_string(),
+                many => alloc::format!("{many} are"),
+            },
             "way" => self.here.heading.word().to_string(),
             "target" => self.target.to_string(),
-            "left" => (self.route.len() + 1).to_string(),
-            "total" => self.points.len().to_string(),
+            "left" => many(self.route.len() + 1, "point"),
+            "total" => many(self.points.len(), "point"),
             _ => alloc::format!("{},{}", cell.x, cell.y),
         });
     }

@@ -14,7 +14,7 @@ use alloc::vec::Vec;
 use super::book::errata::{Erratum, Kind, Place};
 use super::hand::Side;
 use super::mind::{Field, Plan, Robot};
-use super::tell::{Said, tail};
+use super::tell::{Said, many, tail};
 use crate::event::{Decision, Finish, Home, Look, Outcome};
 use crate::geometry::{Heading, Point};
 use crate::settings::Rule;
@@ -34,9 +34,9 @@ listing! {
 
 cases! {
     START "start" Info Plain "The robot stands on square {square}, the first of its path, and looks all round: with its {hand} hand on the wall, it *{turn}*."
-    NEW "new-square" Now Node "Square {square} becomes `Path({csip})`. Nothing is to be cut, so with its {hand} hand on the wall the robot *{turn}*."
+    NEW "new-square" Now Node "Square {square} becomes `Path({csip})`. By the rule nothing is to be cut, so with its {hand} hand on the wall the robot *{turn}*."
     CUT "cut" Now Known "Square {square} is on the path already: what came after it *led back* and is zeroed. `CSIP` is {csip} again, and the robot *{turn}*."
-    FINISH "finish" Go End "The robot stands on the *finish*, square {square}. Its path of {csip} squares is the way from the start: {path}."
+    FINISH "finish" Go End "The robot stands on the *finish*, square {square}. Its path of {squares} is the way from the start: {path}."
     FULL "path-full" Bad End "The path has no room for another square: all {csip} places are *taken*."
 }
 
@@ -255,6 +255,7 @@ impl Robot for Parex {
             "hand" => out.push_str(self.side.word()),
             "square" => out.push_str(&self.square.to_string()),
             "csip" => out.push_str(&self.path.len().to_string()),
+            "squares" => out.push_str(&many(self.path.len(), "square")),
             _ => tail(&self.path, out, |square, out| out.push_str(&square.to_string())),
         }
     }

@@ -36,8 +36,8 @@ cases! {
     START "start" Info Plain "The robot stands at the start and looks all round. `j` is {j}: it *{turn}*."
     CORNER "corner" Info Plain "There is only one way on, so there is nothing to decide: the robot *{turn}*."
     JUNCTION "junction" Now Node "Junction `{j}`: of its order, {order}, the robot takes the first way there is and *{turn}*. That adds to `a[{j}]`, which is now {aj}. The array is {a}."
-    USED "used-up" Now Known "The robot leaves this junction by the way it first came: the sum is 0, so the junction is *used up* and forgotten. `j` is {j}."
-    DEAD "dead-end" Now DeadEnd "The line ends: the robot *turns round*. It will meet the last junction again, so `j` goes back to {j}."
+    USED "used-up" Now Known "The sum is 0: by its numbers the robot leaves this junction by the way it first came. So the junction is *used up* and forgotten, and `j` is {j}: it *{turn}*."
+    DEAD "dead-end" Now DeadEnd "The line ends: the robot *turns round*. The way back leads to the junction before, if there was one, so `j` goes back to {j}."
     NONE "no-finish" Bad End "The robot is back at the start, and `j` is {j}: it drove *every line*, and none led to a finish."
     FINISH "finish" Go End "The robot stands on the *finish*. The array is the route, junction by junction: {a}."
 }

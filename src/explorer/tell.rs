@@ -217,6 +217,11 @@ fn first_sentence(said: &[Span]) -> Vec<Span> {
     short
 }
 
+/// “1 square”, “2 squares”.
+pub(super) fn many(count: usize, one: &str) -> String {
+    alloc::format!("{count} {one}{}", if count == 1 { "" } else { "s" })
+}
+
 /// Turns as letters, the last ones of a long list.
 pub(super) fn letters(turns: &[Turn], out: &mut String) {
     tail(turns, out, |turn, out| out.push(turn.letter()));

@@ -34,13 +34,13 @@ listing! {
 cases! {
     START "start" Info Plain "The robot stands at the start and looks all round: it *{turn}*."
     CORNER "corner" Info Plain "There is only one way on, so there is nothing to decide: the robot *{turn}*."
-    NEW "new-node" Now Node "No way of this node has a mark but the one behind, which gets its first. The robot *{turn}*, into a way without a mark: {marks}."
-    LOOP "loop" Now Unknown "There are marks here, and the way behind had none: a *loop*. The robot turns round, so that way has two marks: {marks}."
-    NEXT "next-way" Now Known "The way behind has its second mark now. The robot *{turn}*, into a way without a mark: {marks}."
+    NEW "new-node" Now Node "By its coordinates this node is new: no way here has a mark but the one behind, which gets its first. The robot *{turn}*, into a way without a mark: {marks}."
+    LOOP "loop" Now Unknown "By its coordinates the robot was here before, but the way behind had no mark: a *loop*. The robot turns round, so that way has two marks: {marks}."
+    NEXT "next-way" Now Known "The way behind has another mark now. The robot *{turn}*, into a way without a mark: {marks}."
     BACK "back" Now Known "No way here is without a mark. The robot takes the one with a *single mark*, which then has two: {marks}."
     DEAD "dead-end" Now DeadEnd "The line ends: the robot *turns round*."
-    NONE "no-finish" Bad End "The robot is back at the start, and no way is left with fewer than two marks: it drove *every line*, and none led to a finish."
-    FINISH "finish" Go End "The robot stands on the *finish*. From the start, the ways with *one mark* lead here."
+    NONE "no-finish" Bad End "The robot is back at the start, and every way that it marked has two marks: it drove *every line*, and none led to a finish."
+    FINISH "finish" Go End "The robot stands on the *finish*. At the nodes from the start to here, the ways with *one mark* are the route."
 }
 
 /// A node as the chalk shows it.

@@ -1,6 +1,8 @@
 //! A row of the node table at any moment of a trace.
 
-use super::{Moment, Trace, script};
+use alloc::vec::Vec;
+
+use super::{Moment, State, Trace, script};
 use crate::explorer::book::store::Node;
 use crate::explorer::book::{Case, Event};
 use crate::geometry::{Heading, Ways};
@@ -16,6 +18,15 @@ pub struct Row {
     pub node: Node,
     /// The ways that were tried and given up.
     pub crossed: Ways,
+}
+
+/// How sure it is that a place is the node that the bot took it for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Recognition {
+    /// The coordinates agree.
+    Exact,
+    /// They are nearer than `epsilon`: it may be another place.
+    Near,
 }
 
 /// What the bot knows of one way of a node.
@@ -90,6 +101,46 @@ impl Trace {
             let unvisited = self.row(moment, m)?.node.unvisited();
             (!unvisited.is_empty()).then_some((m, unvisited))
         })
+    }
+
+    /// How a node that was known at a stop came to be known there; none where the stop was no known node.
+    #[must_use]
+    pub fn recognition(&self, stop: u32) -> Option<Recognition> {
+        let step = self.step(stop).filter(|step| step.node() > 0 && step.case() != Case::New)?;
+        let (node, here) = (self.settled(stop - 1, step.node())?.1, self.state(stop));
+        Some(if (node.x_cor, node.y_cor) == (here.cur_x, here.cur_y) {
+            Recognition::Exact
+        } else {
+            Recognition::Near
+        })
+    }
+
+    /// Whether the bot took every known place for what it is: coordinates agreed to the millisecond, and none was new
+    /// while the bot was returning. Looks at the whole run once.
+    #[must_use]
+    pub fn knew_its_places(&self) -> bool {
+        let mut nodes: Vec<(i32, i32)> = Vec::new();
+        let mut state = State::default();
+        for &step in self.steps() {
+            let returning = state.returning;
+            state.advance(step, &self.pauses);
+            let here = (state.cur_x, state.cur_y);
+            let before = (step.node() as usize).checked_sub(1);
+            let sound = match (step.case(), before) {
+                (Case::New, Some(before)) => {
+                    nodes.truncate(before);
+                    nodes.push(here);
+                    !returning
+                }
+                (Case::Start, _) => here == (0, 0),
+                (_, Some(before)) => nodes.get(before) == Some(&here),
+                (_, None) => true,
+            };
+            if !sound {
+                return false;
+            }
+        }
+        true
     }
 
     /// A stop, and the node as `record_node()` made it there.

@@ -20,7 +20,7 @@ fn story(trace: &Trace) -> String {
 #[test]
 fn figure_3_1_stop_by_stop() {
     expect![[r#"
-        0 START: The bot stands at the start and faces its north (0). The node table is empty, so ptr is 1. It will follow the line to the first node, corner or dead end.
+        0 START: The bot stands at the start and faces its north (0). The node table is empty, so ptr is 1. It will follow the line to its first stop: a node, a corner, a dead end or the finish.
            At the start, facing north (0). The node table is empty.
         1 NEW NODE: This place matches no remembered node, so it becomes node 1, with its back path to the south (2). The bot drives straight on, to the north (0): of the unvisited paths, the first in its preference order.
            A new place becomes node 1: the bot drives straight on, to the north (0).
@@ -78,7 +78,7 @@ fn figure_3_1_stop_by_stop() {
 #[test]
 fn figure_2_4_stop_by_stop() {
     expect![[r#"
-        0 START: The bot stands at the start and faces its north (0). The node table is empty, so ptr is 1. It will follow the line to the first node, corner or dead end.
+        0 START: The bot stands at the start and faces its north (0). The node table is empty, so ptr is 1. It will follow the line to its first stop: a node, a corner, a dead end or the finish.
            At the start, facing north (0). The node table is empty.
         1 NEW NODE: This place matches no remembered node, so it becomes node 1, with its back path to the south (2). The bot turns right, to the east (1): of the unvisited paths, the first in its preference order.
            A new place becomes node 1: the bot turns right, to the east (1).
@@ -153,18 +153,18 @@ fn every_line_of_figure_3_1_has_a_sentence() {
     expect![[r#"
         2  The bot drove 400 ms to the south (2), so get_coords() sets cur_y to 1600. get_paths() sees no way on.
         3  Not the finish.
-        +  The bot is not back at the start with an empty table, so the search goes on.
+        +  A node is remembered, or this place does not match the start, so the search goes on.
         4  There is a way on, so this is no dead end.
         5  More than one way leads on, so this is no corner.
         6  3 ways meet here, so this is a node, and node() decides.
-        9  match_cur_node() finds node 3 here, so m is 3.
+        9  match_cur_node() finds node 3 nearer than epsilon, so m is 3.
         10 m is 3, so the bot knows this node already.
         11 record_node() writes node 6 into the table: back path east (1), which counts as visited. ptr becomes 7.
         12 Now choose_path() looks for the way out of node 6.
         13 returning is true, so this is the RETURN-KNOWN case.
         14 ptr is 4 already: node 3 is the newest, and nothing is forgotten.
         15 choose_path() looks for an unvisited path of node 3; if there is none, the bot takes its back path.
-        16 The bot met node 2 by a path that it had not taken before.
+        16 The bot is not returning, so the path that led it to node 2 counts as new.
         17 The bot came along the path to the east (1) of node 2, so that path is visited now.
         24 To the left is the first of the preference order that exists and is unvisited, so d is south (2).
         25 There is none, so choose_path() returns false.
@@ -183,14 +183,14 @@ fn figure_2_4_s_loop_line_by_line() {
     expect![[r#"
         2  The bot drove 800 ms to the north (0), so get_coords() sets cur_y to 800. get_paths() sees ways to the left and to the right.
         3  Not the finish.
-        +  The bot is not back at the start with an empty table, so the search goes on.
+        +  A node is remembered, or this place does not match the start, so the search goes on.
         4  There is a way on, so this is no dead end.
         5  More than one way leads on, so this is no corner.
         6  3 ways meet here, so this is a node, and node() decides.
-        9  match_cur_node() finds node 2 here, so m is 2.
+        9  match_cur_node() finds node 2 nearer than epsilon, so m is 2.
         10 m is 2, so the bot knows this node already.
         13 returning is false, so this is the RETURN-UNKNOWN case.
-        16 The bot met node 2 by a path that it had not taken before.
+        16 The bot is not returning, so the path that led it to node 2 counts as new.
         17 The bot came along the path to the south (2) of node 2, so that path is visited now.
         18 No path of node 2 is unvisited, so there is nothing to turn round for.
         19 The loop that was just closed can be forgotten.

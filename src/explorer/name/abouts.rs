@@ -8,7 +8,7 @@ pub(super) static BOOK: About = About {
     title: "The book’s explorer",
     source: "Akash Dhasade and Saket Joshi, Maze Solving Robot, 2017, chapters 2 and 3",
     idea: "It remembers the nodes of its way in a table, knows them again by their coordinates, and forgets them when nothing is left there.",
-    cannot: "It drives every line of a maze with loops, yet may come home with a long way round: what it learns of a node by coming back to it from elsewhere is thrown away.",
+    cannot: "Its route need not be short: it keeps the first way to the finish that its order leads it to, and where a new way comes back to a node it turns round, without asking which way was the shorter.",
     sample: "long-way",
     settings: &[Setting::Order, Setting::Epsilon, Setting::NodeMax],
     stops: Stops::Line,
@@ -47,7 +47,7 @@ const SUM: About = About {
     title: "",
     source: "S. Sakib, A. Chowdhury, S. T. Ahamed and S. Imam Hasan, Maze solving algorithm for line following robot, 2014, §II",
     idea: "Each junction of the way has a number, to which every way that is tried there adds its direction. At the finish the numbers are the route.",
-    cannot: "It drives as a hand on the wall does, so it circles where the finish lies inside a loop. Even in a small loop without branches its numbers can hold a whole lap.",
+    cannot: "It drives as a hand on the wall does, so it can circle where the finish lies inside a loop. Even in a small loop with only two branches, both outside, its numbers can hold a whole lap.",
     sample: "sums-lap",
     settings: &[],
     stops: Stops::Line,
@@ -59,8 +59,14 @@ const SUM: About = About {
     errata: &[],
 };
 
-pub(super) static SUM_LEFT: About =
-    About { name: "direction-sum-left", title: "Direction sums, left first", cases: sums::CASES, ..SUM };
+pub(super) static SUM_LEFT: About = About {
+    name: "direction-sum-left",
+    title: "Direction sums, left first",
+    // In the other sample its order leads straight to the finish.
+    sample: "hand-circles",
+    cases: sums::CASES,
+    ..SUM
+};
 pub(super) static SUM_RIGHT: About =
     About { name: "direction-sum-right", title: "Direction sums, right first", cases: sums::CASES, ..SUM };
 
@@ -69,7 +75,7 @@ pub(super) static MAPPING: About = About {
     title: "Full mapping",
     source: "S. Sakib, A. Chowdhury, S. T. Ahamed and S. Imam Hasan, Maze solving algorithm for line following robot, 2014, §III and §IV",
     idea: "It records every point with its coordinates until no way is unexplored, and then finds the shortest and the quickest way on its map.",
-    cannot: "It drives every line even where the finish is next to the start, and it lives on its coordinates: when they drift further than the tolerance, it takes places for each other.",
+    cannot: "It drives every line even where the finish is next to the start, and it lives on its coordinates: where they drift further than the tolerance, it takes places for each other or does not know them again.",
     sample: "long-way",
     settings: &[Setting::Epsilon, Setting::Search],
     stops: Stops::Line,
@@ -86,7 +92,7 @@ const PAREX: About = About {
     title: "",
     source: "Fred Swirbul, Maze path mapping, Phoenix Area Robotics eXperimenters, 2002",
     idea: "It keeps one hand on the wall, numbers the squares, and lists those of its way. What led back to a square of the list is cut out of it.",
-    cannot: "It circles where a loop lies around the finish, and where a loop has a shorter side it never notices: only a square that comes twice is cut out (special case 2).",
+    cannot: "It can circle where a loop lies around the finish, and where a loop has a shorter side it need not notice: nothing is cut unless a square comes twice (special case 2).",
     sample: "parex-special-2",
     settings: &[Setting::Rule, Setting::PathMax],
     stops: Stops::Square,
@@ -101,6 +107,8 @@ const PAREX: About = About {
 pub(super) static PAREX_LEFT: About = About {
     name: "parex-left",
     title: "Path mapping, left hand",
+    // In the other sample its hand leads along the shorter side.
+    sample: "hand-circles",
     cases: parex::CASES,
     errata: parex::ERRATA,
     ..PAREX
@@ -134,7 +142,7 @@ pub(super) static CORNELL_1: About = About {
     name: "cornell-1",
     title: "Cornell 1, turn by turn",
     idea: "It drives ahead until there is a wall, then turns left, else right, else round. It keeps a map but does not look at it.",
-    cannot: "It goes round and round in most mazes and leaves much of the field unseen.",
+    cannot: "In many mazes it goes round and round and leaves a part of the field unseen.",
     sample: "cornell-3x5",
     cases: cornell::CASES,
     ..CORNELL
@@ -143,7 +151,7 @@ pub(super) static CORNELL_2: About = About {
     name: "cornell-2",
     title: "Cornell 2, unvisited first",
     idea: "It prefers neighbours that it has not visited; where all were visited, it drives as the first does.",
-    cannot: "It looks one square far. Among visited squares it can go round for ever, though an unvisited one is near.",
+    cannot: "It looks one square far. Among visited squares it can go round for ever, though unvisited ones are left.",
     sample: "cornell-6x4",
     memory: Memory::Visited,
     cases: cornell::CASES,
@@ -165,7 +173,7 @@ pub(super) static TREMAUX: About = About {
     title: "Trémaux’s marks",
     source: "Édouard Lucas, Récréations mathématiques, 1882, after Trémaux",
     idea: "At each node it marks every way in and out. A way with two marks is never used again; at the finish, those with one are the route.",
-    cannot: "Its route need not be short: where it closes a loop it turns round, and never learns that the new way was the better one.",
+    cannot: "Its route need not be short: it keeps the first way to the finish that its order leads it to, and where it closes a loop it turns round, without asking which way was the shorter.",
     sample: "long-way",
     settings: &[Setting::Order, Setting::Epsilon],
     stops: Stops::Line,
@@ -182,7 +190,7 @@ pub(super) static DEPTH_FIRST: About = About {
     title: "Depth first",
     source: "Textbooks, for comparison",
     idea: "At a new node it takes the first unused way; where it closes a loop it turns round; when all ways are used it goes back as it came.",
-    cannot: "Its route need not be short: where it closes a loop it turns round, and never learns that the new way was the better one.",
+    cannot: "Its route need not be short: it keeps the first way to the finish that its order leads it to, and where it closes a loop it turns round, without asking which way was the shorter.",
     sample: "long-way",
     settings: &[Setting::Order, Setting::Epsilon],
     stops: Stops::Line,

@@ -45,7 +45,7 @@ pub(super) fn lost(outcome: Outcome, step: Option<Step>) -> Narration {
             let said =
                 Said::default().text("After ").number(stops).text(" stops the bot ").strong("still drives");
             let said = said
-                .text(", longer than any exploration of this maze needs. Its coordinates mix up places: ");
+                .text(", longer than any exploration of this maze needs. It does not know its places again, or mixes them up: ");
             let said = said.text("try an ").code("epsilon").text(" of half a cell.");
             let short =
                 Said::default().strong("Lost").text(": still driving after ").number(stops).text(" stops.");

@@ -57,7 +57,7 @@ fn place(line: Line, frame: &Frame, step: Step) -> Said {
         }
         Line::FINISH => said.text("Not the finish."),
         Line::EXHAUSTED => {
-            said.text("The bot is not back at the start with an empty table, so the search goes on.")
+            said.text("A node is remembered, or this place does not match the start, so the search goes on.")
         }
         Line::DEAD_END => said.text("There is a way on, so this is no dead end."),
         Line::CORNER => said.text("More than one way leads on, so this is no corner."),
@@ -79,7 +79,13 @@ fn known(line: Line, frame: &Frame) -> Said {
             said.text(", so ").code("m").text(" is 0.")
         }
         Line::MATCH => {
-            let said = said.code("match_cur_node()").text(" finds ").node(m).text(" here, so ");
+            let said = said
+                .code("match_cur_node()")
+                .text(" finds ")
+                .node(m)
+                .text(" nearer than ")
+                .code("epsilon")
+                .text(", so ");
             said.code("m").text(" is ").number(m.into()).text(".")
         }
         Line::IF_NEW if m == 0 => said.code("m").text(" is 0, so this node is new."),
@@ -92,7 +98,9 @@ fn known(line: Line, frame: &Frame) -> Said {
         Line::IF_RETURNING => {
             said.code("returning").text(" is false, so this is the ").strong("RETURN-UNKNOWN").text(" case.")
         }
-        _ => said.text("The bot met ").node(m).text(" by a path that it had not taken before."),
+        _ => {
+            said.text("The bot is not returning, so the path that led it to ").node(m).text(" counts as new.")
+        }
     }
 }
 

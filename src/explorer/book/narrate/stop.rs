@@ -5,7 +5,7 @@ use super::{Narration, Tone};
 use crate::event::Seen;
 use crate::explorer::book::Case;
 use crate::geometry::{Turn, Ways};
-use crate::trace::{Frame, State, Step, Trace};
+use crate::trace::{Frame, Recognition, State, Step, Trace};
 
 /// Ways that are named where many are unvisited.
 const NAMED: usize = 4;
@@ -18,7 +18,8 @@ pub(super) fn start() -> Narration {
     let said =
         Said::default().text("The bot stands at the start and faces its ").strong("north (0)").text(". ");
     let said = said.text("The node table is empty, so ").code("ptr").text(" is 1. ");
-    let said = said.text("It will follow the line to the first node, corner or dead end.");
+    let said =
+        said.text("It will follow the line to its first stop: a node, a corner, a dead end or the finish.");
     let short =
         Said::default().text("At the start, facing ").strong("north (0)").text(". The node table is empty.");
     told_as("START", Tone::Info, said, short, "Book §2.2, §3.1")
@@ -27,15 +28,15 @@ pub(super) fn start() -> Narration {
 /// A stop of a run.
 pub(super) fn told(trace: &Trace, frame: &Frame, step: Step, before: &State) -> Narration {
     match step.case() {
-        Case::Finish => finish(before.ptr - 1),
-        Case::Start => exhausted(),
+        Case::Finish => finish(trace, before.ptr - 1),
+        Case::Start => exhausted(trace),
         Case::DeadEnd => dead_end(step),
         Case::Corner => corner(step, before),
         Case::New => new_node(trace, frame, step, before),
         Case::Known => known(trace, frame, step),
-        Case::KnownBack => known_back(step),
+        Case::KnownBack => known_back(trace, frame, step),
         Case::UnknownUturn => unknown_uturn(trace, frame, step),
-        Case::UnknownBack => unknown_back(step, before),
+        Case::UnknownBack => unknown_back(trace, frame, step, before),
         Case::TableFull => super::end::table_full(before.ptr - 1),
     }
 }
@@ -44,29 +45,73 @@ fn told_as(case: &'static str, tone: Tone, said: Said, short: Said, section: &'s
     Narration { case, tone, said: said.done(), short: short.done(), section }
 }
 
-fn finish(nodes: u32) -> Narration {
+/// “The bot is back at node 4”, or what it takes the place for.
+fn back_at(trace: &Trace, frame: &Frame, m: u32) -> Said {
+    match trace.recognition(frame.moment.stop) {
+        Some(Recognition::Near) => Said::default().text("The bot takes this place for ").node(m),
+        Some(Recognition::Exact) | None => Said::default().text("The bot is back at ").node(m),
+    }
+}
+
+/// “The bot met node 1 again by a path it had never taken.”
+fn met_again(trace: &Trace, frame: &Frame, m: u32) -> Said {
+    let said = match trace.recognition(frame.moment.stop) {
+        Some(Recognition::Near) => {
+            return Said::default()
+                .text("The bot takes this place for ")
+                .node(m)
+                .text(" and was not returning. ");
+        }
+        Some(Recognition::Exact) | None => Said::default().text("The bot met ").node(m),
+    };
+    said.text(" again by a path it had never taken. ")
+}
+
+fn finish(trace: &Trace, nodes: u32) -> Narration {
     let said = Said::default().text("The bot stands on the ").strong("finish").text(" and stops. ");
     let short = Said::default().strong("Finish reached").text(".");
     let (said, short) = match nodes {
         0 => (said.text("It remembers no node: the way here asks for no decision."), short),
         _ => {
-            let said = said.text("What it remembers is the way here: ").nodes(1, nodes).text(", so ");
+            let sure = trace.knew_its_places();
+            let said =
+                said.text(if sure { "What it remembers is" } else { "By its coordinates it remembers" });
+            let said = said.text(" the way here: ").nodes(1, nodes).text(", so ");
             let said = said.code("ptr").text(" is ").number(i64::from(nodes) + 1);
-            let said = said.text(". Round 2 leaves ").text(if nodes == 1 { "it" } else { "each" });
-            let said = said.text(" by the way last chosen.");
-            (said, short.text(" The way here: ").nodes(1, nodes).text("."))
+            if sure {
+                let said = said.text(". Round 2 leaves ").text(if nodes == 1 { "it" } else { "each" });
+                let said = said.text(" by the way last chosen.");
+                (said, short.text(" The way here: ").nodes(1, nodes).text("."))
+            } else {
+                let said = said.text(". They are not exact, so round 2 may go astray.");
+                (said, short.text(" Remembered: ").nodes(1, nodes).text("."))
+            }
         }
     };
     told_as("FINISH", Tone::Go, said, short, "Book §3.1, §3.2")
 }
 
-fn exhausted() -> Narration {
+fn exhausted(trace: &Trace) -> Narration {
+    if !trace.knew_its_places() {
+        return gave_up();
+    }
     let said = Said::default().text("The bot is back at the start and remembers no node. It drove ");
     let said = said.strong("every line").text(" that it can reach, and none led to a finish. ");
     let said = said.text("Join a finish to these lines, then run again.");
     let short =
         Said::default().text("Back at the start: ").strong("every line").text(" driven, no finish found.");
     told_as("NO FINISH REACHABLE", Tone::Bad, said, short, "Not in the book")
+}
+
+/// It takes a place for the start, and may be wrong.
+fn gave_up() -> Narration {
+    let said = Said::default().text("The bot takes this place for the start, remembers no node, and ");
+    let said =
+        said.strong("gives up").text(". Its coordinates are not exact, so lines may be left that it never ");
+    let said = said.text("drove: try an ").code("epsilon").text(" of half a cell.");
+    let short =
+        Said::default().text("Taken for the start, with no node left: the bot ").strong("gives up").text(".");
+    told_as("GAVE UP", Tone::Bad, said, short, "Not in the book")
 }
 
 fn dead_end(step: Step) -> Narration {
@@ -93,7 +138,11 @@ fn new_node(trace: &Trace, frame: &Frame, step: Step, before: &State) -> Narrati
     let m = step.node();
     let said = if before.returning {
         let said = Said::default().text("The bot is returning, yet this place matches no remembered node: ");
-        said.text("its coordinates must be off. It becomes ").node(m).text(". ")
+        said.text("its coordinates are off, or ")
+            .code("epsilon")
+            .text(" is too small. It becomes ")
+            .node(m)
+            .text(". ")
     } else {
         let said = Said::default().text("This place matches no remembered node, so it becomes ").node(m);
         said.text(", with its back path to the ").heading(step.arrival().opposite()).text(". ")
@@ -106,7 +155,7 @@ fn new_node(trace: &Trace, frame: &Frame, step: Step, before: &State) -> Narrati
 
 fn known(trace: &Trace, frame: &Frame, step: Step) -> Narration {
     let m = step.node();
-    let said = Said::default().text("The bot is back at ").node(m).text(", returning: the path to the ");
+    let said = back_at(trace, frame, m).text(", returning: the path to the ");
     let said = said.heading(step.arrival().opposite()).text(" is given up. ");
     let said = chosen(said, trace, frame, step);
     let short = Said::default().text("Back at ").node(m).text(": the bot ");
@@ -127,12 +176,9 @@ fn chosen(said: Said, trace: &Trace, frame: &Frame, step: Step) -> Said {
     }
 }
 
-fn known_back(step: Step) -> Narration {
+fn known_back(trace: &Trace, frame: &Frame, step: Step) -> Narration {
     let (m, turn) = (step.node(), step.turn().unwrap_or(Turn::Straight));
-    let said = Said::default()
-        .text("The bot is back at ")
-        .node(m)
-        .text(", returning, and all its paths are visited. ");
+    let said = back_at(trace, frame, m).text(", returning, and all its paths are visited. ");
     let said = said.text("It ").turn(turn, step.departure()).text(", which is the back path, and ");
     let said =
         said.strong("forgets").text(" ").node(m).text(": ").code("ptr").text(" is ").number(i64::from(m));
@@ -145,7 +191,7 @@ fn known_back(step: Step) -> Narration {
 
 fn unknown_uturn(trace: &Trace, frame: &Frame, step: Step) -> Narration {
     let (m, last) = (step.node(), frame.state.ptr - 1);
-    let said = Said::default().text("The bot met ").node(m).text(" again by a path it had never taken. ");
+    let said = met_again(trace, frame, m);
     let said = if m == last {
         said.text("It still has an unvisited path")
     } else {
@@ -176,12 +222,14 @@ fn unvisited(mut said: Said, trace: &Trace, frame: &Frame, m: u32) -> Said {
     said.text(if whole && ways.next().is_none() { ")" } else { " and more)" })
 }
 
-fn unknown_back(step: Step, before: &State) -> Narration {
+fn unknown_back(trace: &Trace, frame: &Frame, step: Step, before: &State) -> Narration {
     let (m, last) = (step.node(), before.ptr - 1);
     let turn = step.turn().unwrap_or(Turn::Straight);
-    let said =
-        Said::default().text("The bot met ").node(m).text(" again by a path it had never taken. No path of ");
-    let said = said.nodes(m, last).text(" is unvisited, so this loop is ").strong("forgotten");
+    let said = met_again(trace, frame, m)
+        .text("No path of ")
+        .nodes(m, last)
+        .text(" is unvisited, so this loop is ")
+        .strong("forgotten");
     let said = said.text(". It ").turn(turn, step.departure()).text(": the back path, so ");
     let said = said.code("returning").text(" is true.");
     let short =
