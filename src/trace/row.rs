@@ -115,13 +115,13 @@ impl Trace {
         })
     }
 
-    /// Whether the bot took every known place for what it is: coordinates agreed to the millisecond, and none was new
-    /// while the bot was returning. Looks at the whole run once.
+    /// Whether up to a stop the bot took every known place for what it is: coordinates agreed to the millisecond, and
+    /// none was new while the bot was returning. Looks at every stop once.
     #[must_use]
-    pub fn knew_its_places(&self) -> bool {
+    pub fn knew_its_places(&self, stop: u32) -> bool {
         let mut nodes: Vec<(i32, i32)> = Vec::new();
         let mut state = State::default();
-        for &step in self.steps() {
+        for &step in self.steps().iter().take(stop as usize) {
             let returning = state.returning;
             state.advance(step, &self.pauses);
             let here = (state.cur_x, state.cur_y);

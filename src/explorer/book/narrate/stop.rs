@@ -55,16 +55,29 @@ fn back_at(trace: &Trace, frame: &Frame, m: u32) -> Said {
 
 /// “The bot met node 1 again by a path it had never taken.”
 fn met_again(trace: &Trace, frame: &Frame, m: u32) -> Said {
-    let said = match trace.recognition(frame.moment.stop) {
-        Some(Recognition::Near) => {
-            return Said::default()
-                .text("The bot takes this place for ")
-                .node(m)
-                .text(" and was not returning. ");
-        }
-        Some(Recognition::Exact) | None => Said::default().text("The bot met ").node(m),
+    let stop = frame.moment.stop;
+    let said = match trace.recognition(stop) {
+        Some(Recognition::Near) => Said::default().text("The bot takes this place for ").node(m),
+        Some(Recognition::Exact) | None => Said::default().text("The bot met ").node(m).text(" again"),
     };
-    said.text(" again by a path it had never taken. ")
+    said.text(if trace.knew_its_places(stop) {
+        " by a path it had never taken. "
+    } else {
+        " and was not returning. "
+    })
+}
+
+/// The same for the projector.
+fn again(trace: &Trace, frame: &Frame, m: u32) -> Said {
+    let said = match trace.recognition(frame.moment.stop) {
+        Some(Recognition::Near) => Said::default().text("Taken for ").node(m),
+        Some(Recognition::Exact) | None => Said::default().text("At ").node(m).text(" again"),
+    };
+    said.text(if trace.knew_its_places(frame.moment.stop) {
+        ", by a new path. "
+    } else {
+        ", not returning. "
+    })
 }
 
 fn finish(trace: &Trace, nodes: u32) -> Narration {
@@ -73,7 +86,7 @@ fn finish(trace: &Trace, nodes: u32) -> Narration {
     let (said, short) = match nodes {
         0 => (said.text("It remembers no node: the way here asks for no decision."), short),
         _ => {
-            let sure = trace.knew_its_places();
+            let sure = trace.knew_its_places(trace.stops());
             let said =
                 said.text(if sure { "What it remembers is" } else { "By its coordinates it remembers" });
             let said = said.text(" the way here: ").nodes(1, nodes).text(", so ");
@@ -92,7 +105,7 @@ fn finish(trace: &Trace, nodes: u32) -> Narration {
 }
 
 fn exhausted(trace: &Trace) -> Narration {
-    if !trace.knew_its_places() {
+    if !trace.knew_its_places(trace.stops()) {
         return gave_up();
     }
     let said = Said::default().text("The bot is back at the start and remembers no node. It drove ");
@@ -158,7 +171,11 @@ fn known(trace: &Trace, frame: &Frame, step: Step) -> Narration {
     let said = back_at(trace, frame, m).text(", returning: the path to the ");
     let said = said.heading(step.arrival().opposite()).text(" is given up. ");
     let said = chosen(said, trace, frame, step);
-    let short = Said::default().text("Back at ").node(m).text(": the bot ");
+    let short = match trace.recognition(frame.moment.stop) {
+        Some(Recognition::Near) => Said::default().text("Taken for ").node(m),
+        Some(Recognition::Exact) | None => Said::default().text("Back at ").node(m),
+    };
+    let short = short.text(": the bot ");
     let short =
         short.turn(step.turn().unwrap_or(Turn::Straight), step.departure()).text(", an unvisited path.");
     told_as("RETURN-KNOWN", Tone::Now, said, short, "Book §2.4.3, §2.5, §3.1")
@@ -200,8 +217,7 @@ fn unknown_uturn(trace: &Trace, frame: &Frame, step: Step) -> Narration {
     };
     let said = unvisited(said, trace, frame, m);
     let said = said.text(", so it ").turn(Turn::Back, step.departure()).text(", and crosses this path out.");
-    let short =
-        Said::default().text("At ").node(m).text(" again, by a new path. Other paths are still unvisited, ");
+    let short = again(trace, frame, m).text("Other paths are still unvisited, ");
     let short = short.text("so the bot ").strong("turns round").text(".");
     told_as("RETURN-UNKNOWN", Tone::Now, said, short, "Book §2.4.3, §2.5, §3.1")
 }
@@ -232,8 +248,7 @@ fn unknown_back(trace: &Trace, frame: &Frame, step: Step, before: &State) -> Nar
         .strong("forgotten");
     let said = said.text(". It ").turn(turn, step.departure()).text(": the back path, so ");
     let said = said.code("returning").text(" is true.");
-    let short =
-        Said::default().text("At ").node(m).text(" again, by a new path. Nothing is left in this loop: ");
+    let short = again(trace, frame, m).text("Nothing is left in this loop: ");
     let short =
         short.text("the bot takes the ").strong("back path").text(", ").heading(step.departure()).text(".");
     told_as("RETURN-UNKNOWN", Tone::Now, said, short, "Book §2.4.3, §2.6, §3.1")
