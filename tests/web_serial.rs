@@ -111,7 +111,7 @@ async fn framing_errors_and_breaks_are_survived() {
 async fn it_is_closed_in_the_right_order_and_can_be_opened_again() {
     let js = fake();
     let (port, heard) = open(&js).await;
-    port.write(b"hi\n").unwrap();
+    port.write(b"hi\n", || {}).unwrap();
     let written = || {
         let written: js_sys::Array = Reflect::get(&js, &"written".into()).unwrap().into();
         String::from(written.join(","))
@@ -137,7 +137,7 @@ async fn a_device_that_goes_is_told_once() {
     until(|| text(&heard) == "at ").await;
     tell(&js, "vanish", "");
     until(|| text(&heard) == "at <gone>").await;
-    assert!(port.write(b"stop\n").is_err());
+    assert!(port.write(b"stop\n", || {}).is_err());
     port.close().await;
     assert_eq!(text(&heard), "at <gone>");
 }
@@ -152,7 +152,7 @@ async fn streams_that_somebody_else_holds_are_told() {
     );
     locked.call1(&JsValue::NULL, &js).unwrap();
     until(|| text(&heard) == "<gone>").await;
-    assert!(port.write(b"hi\n").is_err());
+    assert!(port.write(b"hi\n", || {}).is_err());
 }
 
 #[wasm_bindgen_test]

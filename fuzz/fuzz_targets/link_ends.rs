@@ -5,7 +5,7 @@
 use libfuzzer_sys::fuzz_target;
 use line_maze_lab::link::demo::DemoRobot;
 use line_maze_lab::link::frame::crc8;
-use line_maze_lab::link::page::{Command, Link, Port, PortEvent, State};
+use line_maze_lab::link::page::{Action, Command, Link, Port, PortEvent, State};
 use line_maze_lab::link::session::Session;
 use line_maze_lab::maze::samples;
 use line_maze_lab::settings::Pace;
@@ -17,7 +17,9 @@ fuzz_target!(|bytes: &[u8]| {
     link.command(Command::Use(Port::Serial(None)), 0);
     let mut now_ms = 0;
     link.port_event(PortEvent::Opened, now_ms);
+    link.port_event(PortEvent::Written, now_ms);
     link.bytes_in(&sealed(b"ready 1 fuzz fuzz 50 400"), now_ms);
+    link.port_event(PortEvent::Written, now_ms);
     // The first byte of each line says what is done with it, and how much later.
     for line in bytes.split(|&byte| byte == b'\n') {
         let Some((&first, rest)) = line.split_first() else { continue };
@@ -31,9 +33,18 @@ fuzz_target!(|bytes: &[u8]| {
             _ => {
                 link.command(Command::Send("SSRLLB".parse().unwrap_or_default()), now_ms);
                 link.command(Command::RunRoute, now_ms);
+                link.command(Command::Stop, now_ms);
             }
         }
-        link.tick(now_ms);
+        // Every other line leaves the computer; what is thrown away is away at once.
+        for action in link.tick(now_ms) {
+            if action == Action::Abort {
+                link.port_event(PortEvent::Aborted, now_ms);
+            }
+        }
+        if first & 1 == 0 {
+            link.port_event(PortEvent::Written, now_ms);
+        }
         let said = robot.tick(now_ms);
         assert!(said.is_ascii());
     }

@@ -31,6 +31,8 @@ pub enum Mark {
     Bad(LineError),
     /// Not used: it is whole, but no line of the protocol, or has no checksum.
     Strange,
+    /// Sent, but it did not leave the computer.
+    Lost,
     /// Here the robot first decided otherwise than the page's explorer.
     Differs,
 }
@@ -45,6 +47,7 @@ impl Mark {
             Self::Bad(LineError::Byte(_)) => "strange bytes, not used",
             Self::Bad(LineError::Sum { .. } | LineError::Star) => "bad checksum, not used",
             Self::Strange => "not understood, not used",
+            Self::Lost => "did not leave the computer, thrown away",
             Self::Differs => "the page decides otherwise",
         }
     }
@@ -167,6 +170,13 @@ impl Monitor {
             self.bad += 1;
         }
         if let Some(line) = self.lines.back_mut().filter(|line| line.way == Way::In) {
+            line.mark = mark;
+        }
+    }
+
+    /// Says what became of the line that was sent last.
+    pub(super) fn mark_last_sent(&mut self, mark: Mark) {
+        if let Some(line) = self.lines.iter_mut().rev().find(|line| line.way == Way::Out) {
             line.mark = mark;
         }
     }

@@ -15,6 +15,7 @@ use super::session::Recorder;
 use super::tune::Name;
 use crate::settings::Pace;
 
+mod alarm;
 mod asking;
 mod connection;
 mod hearing;
@@ -24,6 +25,8 @@ mod upload;
 mod view;
 mod words;
 
+pub use alarm::{Alarm, LOST_WRITE_MS, OLD_RUN_MS, STOP_EVERY_MS};
+use alarm::{Left, Wedged, Writing};
 use hearing::Coming;
 use job::Pending;
 pub use job::{DEADLINE_MS, Job, News, Note, TRIES};
@@ -129,6 +132,11 @@ pub struct Link {
     rereads: u8,
     robot_ms: Option<u32>,
     millivolts: Option<u16>,
+    alarm: Option<Alarm>,
+    left: Left,
+    writing: Writing,
+    /// When a run was asked for last.
+    run_ms: u64,
 }
 
 /// Whether the robot stands at the start, as far as the page was told.
@@ -185,6 +193,10 @@ impl Link {
             rereads: 0,
             robot_ms: None,
             millivolts: None,
+            alarm: None,
+            left: Left::Standing,
+            writing: Writing::Nothing,
+            run_ms: now_ms,
         }
     }
 
@@ -250,10 +262,10 @@ impl Link {
                 self.actions.push(Action::Open { baud: self.baud });
             }
             (PortEvent::Gone, Phase::Waiting { .. } | Phase::Ready | Phase::Running | Phase::Opening) => {
-                self.hang_up(now_ms);
-                self.phase = Phase::Lost { since_ms: now_ms, looks: 0, opening: Attempt::None };
-                self.lost_before = LostBefore::Yes;
+                self.lose_port(now_ms);
             }
+            (PortEvent::Written, _) => self.written(now_ms),
+            (PortEvent::Aborted, _) => self.aborted(),
             (PortEvent::Gone, Phase::Lost { since_ms, looks, .. }) => {
                 self.phase = Phase::Lost { since_ms, looks, opening: Attempt::None };
             }
@@ -281,7 +293,12 @@ impl Link {
 
     /// Lets time pass. To be called a few times a second, more often while something is sent.
     pub fn tick(&mut self, now_ms: u64) -> Vec<Action> {
+        if self.watch_writing(now_ms) == Wedged::Yes {
+            self.actions.push(Action::Close);
+            self.lose_port(now_ms);
+        }
         match self.phase {
+            Phase::Waiting { .. } if self.is_stopping() => self.stop_again(now_ms),
             Phase::Waiting { hi_ms, his, heard } => self.wait_on(hi_ms, his, heard, now_ms),
             Phase::Lost { since_ms, looks, opening } => {
                 let due_ms = since_ms + SECOND_MS * (u64::from(looks) + 1);
@@ -302,10 +319,21 @@ impl Link {
 
     /// Sends the next request, if it is time, and gives what is to be done.
     fn go_on(&mut self, now_ms: u64) -> Vec<Action> {
+        // What waited for a write before it.
+        if self.is_open() && self.can_write() && self.pending.is_some_and(|pending| pending.tries == 0) {
+            self.put_again(now_ms);
+        }
         if matches!(self.phase, Phase::Ready | Phase::Running) {
             self.ask_next(now_ms);
         }
+        self.writes_begin(now_ms);
         core::mem::take(&mut self.actions)
+    }
+
+    fn lose_port(&mut self, now_ms: u64) {
+        self.hang_up(now_ms);
+        self.phase = Phase::Lost { since_ms: now_ms, looks: 0, opening: Attempt::None };
+        self.lost_before = LostBefore::Yes;
     }
 
     /// A line from the monitor, with a checksum if it has none.
@@ -313,20 +341,29 @@ impl Link {
         if !matches!(self.phase, Phase::Waiting { .. } | Phase::Ready | Phase::Running) {
             return;
         }
-        let line = line.trim();
-        let mut bytes = line.as_bytes().to_vec();
-        if !line.contains('*') {
-            bytes.extend(alloc::format!("*{:02X}", crc8(line.as_bytes())).into_bytes());
+        if !self.can_write() {
+            return self.note(News::LineNotNow, now_ms);
         }
-        bytes.push(b'\n');
+        // Several lines may be pasted at once.
+        for line in line.split(['\n', '\r']).map(str::trim).filter(|line| !line.is_empty()) {
+            let mut bytes = line.as_bytes().to_vec();
+            if !line.contains('*') {
+                bytes.extend(alloc::format!("*{:02X}", crc8(line.as_bytes())).into_bytes());
+            }
+            bytes.push(b'\n');
+            self.write(bytes, now_ms);
+        }
         self.hi_ms = Some(now_ms);
-        self.write(bytes, now_ms);
     }
 
     fn write(&mut self, bytes: Vec<u8>, now_ms: u64) {
         self.monitor.sent(&bytes, now_ms);
         self.session.sent(&bytes, now_ms);
-        self.actions.push(Action::Write(bytes));
+        // What is said in one breath is one write.
+        match self.actions.last_mut() {
+            Some(Action::Write(before)) => before.extend(bytes),
+            Some(_) | None => self.actions.push(Action::Write(bytes)),
+        }
     }
 
     fn note(&mut self, news: News, now_ms: u64) {

@@ -36,6 +36,7 @@ pub fn App() -> impl IntoView {
     on_cleanup(move || on_hash.remove());
     let book = Memo::new(move |_| lab.by_the_book());
     view! {
+        {part(move || lab.halt.get().map(|halt| halt(lab)))}
         <div class="app" class:projecting=sig(move || lab.projector.get())>
             <a class="vh skip" href="#main" on:click=mouse(move |event| { event.prevent_default(); browser::focus("main"); })>"Skip to the maze"</a>
             <Header />

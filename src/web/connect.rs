@@ -80,7 +80,10 @@ fn Drive() -> impl IntoView {
     let ready = move || look.get().0 == State::Ready;
     let placed = move || look.get() == (State::Ready, Placed::AtStart);
     let unplaced = move || ready() && !placed();
-    let stoppable = move || look.get().0.is_connected() || look.get().0 == State::Waiting;
+    let stoppable = move || {
+        let state = look.get().0;
+        state.is_connected() || matches!(state, State::Waiting | State::Alarm(_))
+    };
     view! {
         <div class="drive" role="group" aria-label="Robot">
             <button class="btn" id="explore" disabled=sig(move || !placed()) title="Learn the maze" on:click=mouse(move |_| {
@@ -91,7 +94,7 @@ fn Drive() -> impl IntoView {
                 wire.recorded.set(None);
                 wire.command(Command::RunRoute);
             })>"Run route"</button>
-            <button class="btn stop" id="stop" disabled=sig(move || !stoppable()) title="Stop at once" on:click=mouse(move |_| wire.command(Command::Stop))>
+            <button class="btn stop" id="stop" disabled=sig(move || !stoppable()) title="Stop at once (Ctrl .)" aria-keyshortcuts="Control+." on:click=mouse(move |_| wire.command(Command::Stop))>
                 {icons::halt()}"Stop"
             </button>
             <button class="btn" id="place" class:primary=sig(unplaced) disabled=sig(move || !ready()) title="The robot stands at the start again" on:click=mouse(move |_| wire.command(Command::Place))>

@@ -47,6 +47,7 @@ pub const HELP: &[(&str, &[(&str, &str)])] = &[
             ("Alt N", "new maze"),
             ("1 2 3 4", "Draw, Step, Compare, Connect"),
             ("P", "projector"),
+            ("Ctrl .", "stop the robot, whatever has the focus"),
             ("G", "glossary"),
             ("?", "these keys"),
             ("Esc", "close"),

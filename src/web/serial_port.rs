@@ -57,6 +57,8 @@ extern "C" {
     type JsWritable;
     #[wasm_bindgen(method, catch, js_name = getWriter)]
     fn get_writer(this: &JsWritable) -> Result<JsWriter, JsValue>;
+    #[wasm_bindgen(method, catch)]
+    fn abort(this: &JsWritable) -> Result<Promise, JsValue>;
 
     #[derive(Clone, Debug)]
     type JsWriter;
@@ -161,6 +163,8 @@ struct State {
     reading: RefCell<Option<Promise>>,
     /// Settled when the last closing is over.
     closed: RefCell<Option<Promise>>,
+    /// Counts what was thrown away: writes from before are not told any more.
+    aborts: Cell<u32>,
 }
 
 impl SerialPort {
@@ -281,11 +285,12 @@ impl SerialPort {
         }
     }
 
-    /// Sends bytes, after those that were sent before.
+    /// Sends bytes, after those that were sent before; `done` hears when the system has taken them, or that it
+    /// never will.
     ///
     /// # Errors
     /// Where the port cannot be written any more, or somebody else writes it.
-    pub fn write(&self, bytes: &[u8]) -> Result<(), JsValue> {
+    pub fn write(&self, bytes: &[u8], done: impl FnOnce() + 'static) -> Result<(), JsValue> {
         let writable = self.js.writable().ok_or_else(|| JsValue::from_str("not writable"))?;
         let writer = writable.get_writer()?;
         // The lock is given back at once; what was written is sent all the same.
@@ -293,10 +298,22 @@ impl SerialPort {
         writer.release()?;
         // That it failed is heard from the reader, or from the robot's silence.
         let sent = sent?;
+        let (state, aborts) = (Rc::clone(&self.state), self.state.aborts.get());
         spawn_local(async move {
             let _ = JsFuture::from(sent).await;
+            if state.aborts.get() == aborts {
+                done();
+            }
         });
         Ok(())
+    }
+
+    /// Throws away what was written and has not left, also what the system holds; then it can be written again.
+    pub async fn abort(&self) {
+        self.state.aborts.set(self.state.aborts.get().wrapping_add(1));
+        if let Some(Ok(aborted)) = self.js.writable().map(|writable| writable.abort()) {
+            let _ = JsFuture::from(aborted).await;
+        }
     }
 
     /// Closes it, in the right order; done when nothing holds it any more.

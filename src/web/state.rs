@@ -59,7 +59,7 @@ pub struct Lab {
     pub stage: Memo<Same<Maze>>,
     /// The connection to a robot, made by the room *Connect*; it outlives the room.
     pub link: StoredValue<Option<Box<dyn Any>>, LocalStorage>,
-    /// While a robot drives, its stop, for rooms other than *Connect*.
+    /// While a robot drives, its stop, for every room.
     pub halt: RwSignal<Option<Offer>>,
     /// The room that is open.
     pub room: RwSignal<Room>,

@@ -25,6 +25,10 @@ pub struct Bench {
     /// Whether the cable is in.
     pub plugged: bool,
     pub open: bool,
+    /// Whether what is written stays in the computer: its promise never ends.
+    pub stalled: bool,
+    /// What the computer holds meanwhile.
+    pub held: Vec<u8>,
     /// Everything that was asked of the port.
     pub actions: Vec<Action>,
     /// What is done to bytes on their way to the page.
@@ -48,6 +52,8 @@ impl Bench {
             opening: Opening::Resets,
             plugged: true,
             open: false,
+            stalled: false,
+            held: Vec::new(),
             actions: Vec::new(),
             to_page: Box::new(|bytes| bytes),
             to_robot: Box::new(|bytes| bytes),
@@ -95,9 +101,15 @@ impl Bench {
                 Action::Open { .. } => {
                     self.port(PortEvent::OpenFailed(line_maze_lab::link::page::OpenError::Unplugged));
                 }
+                Action::Write(bytes) if self.open && self.stalled => self.held.extend(bytes),
                 Action::Write(bytes) if self.open => {
                     let bytes = (self.to_robot)(bytes);
                     self.robot.bytes_in(&bytes, self.now_ms);
+                    self.port(PortEvent::Written);
+                }
+                Action::Abort => {
+                    self.held.clear();
+                    self.port(PortEvent::Aborted);
                 }
                 Action::Write(_) => panic!("written to a closed port"),
                 Action::Close => self.open = false,

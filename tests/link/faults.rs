@@ -4,7 +4,7 @@ use line_maze_lab::link::demo::DemoRobot;
 use line_maze_lab::link::frame::crc8;
 use line_maze_lab::link::keep::Keep;
 use line_maze_lab::link::monitor::KEPT_LINES;
-use line_maze_lab::link::page::{Command, Link, Port, PortEvent, Sent, State};
+use line_maze_lab::link::page::{Action, Command, Link, Port, PortEvent, Sent, State};
 use proptest::prelude::*;
 
 use crate::bench::{Bench, USB};
@@ -32,6 +32,8 @@ fn faulty_wires_do_not_stop_the_page() {
                 | State::Waiting
                 | State::Sending
                 | State::Running
+                | State::Stopping
+                | State::Alarm(_)
                 | State::Lost
                 | State::Reconnecting => {}
             }
@@ -84,10 +86,23 @@ fn the_same_seed_brings_the_same_faults() {
 fn met() -> Link {
     let mut link = Link::new(0, 0);
     link.command(Command::Use(Port::Serial(None)), 0);
-    link.port_event(PortEvent::Opened, 0);
-    link.bytes_in(&sealed("ready 1 lab-1 uno 50 400"), 1);
+    let actions = link.port_event(PortEvent::Opened, 0);
+    carried_out(&mut link, actions, 0);
+    let actions = link.bytes_in(&sealed("ready 1 lab-1 uno 50 400"), 1);
+    carried_out(&mut link, actions, 1);
     assert_eq!(link.state(), State::Ready);
     link
+}
+
+/// Everything that was written leaves at once; how many actions there were in all.
+fn carried_out(link: &mut Link, mut actions: Vec<Action>, ms: u64) -> usize {
+    let mut all = 0;
+    while !actions.is_empty() {
+        all += actions.len();
+        let writes = actions.iter().filter(|action| matches!(action, Action::Write(_))).count();
+        actions = (0..writes).flat_map(|_| link.port_event(PortEvent::Written, ms)).collect();
+    }
+    all
 }
 
 /// Lines with their checksums.
@@ -102,8 +117,8 @@ fn a_megabyte_a_second_of_rubbish_changes_nothing_and_grows_nothing() {
     let mut link = met();
     let mut most = 0;
     for ms in (0..20_000).step_by(16) {
-        link.bytes_in(&rubbish, ms);
-        link.tick(ms);
+        let actions = [link.bytes_in(&rubbish, ms), link.tick(ms)].concat();
+        carried_out(&mut link, actions, ms);
         most = most.max(link.monitor().bytes());
         if link.state() != State::Ready {
             break;
@@ -121,9 +136,11 @@ fn a_flood_of_ready_lines_is_answered_seldom() {
     let mut written = 0;
     for ms in (1_000..6_000).step_by(16) {
         for _ in 0..400 {
-            written += link.bytes_in(&ready, ms).len();
+            let actions = link.bytes_in(&ready, ms);
+            written += carried_out(&mut link, actions, ms);
         }
-        written += link.tick(ms).len();
+        let actions = link.tick(ms);
+        written += carried_out(&mut link, actions, ms);
     }
     assert!(written < 100, "{written}");
 }
@@ -139,8 +156,8 @@ fn an_hour_of_a_hundred_lines_a_second_stays_flat() {
             50 => format!("at {ms} corner 0 L 0 {}", ms / 100),
             _ => format!("ir {ms} 2000 30 31 740 33 34 -12 120 130"),
         };
-        link.bytes_in(&sealed(&line), ms);
-        let _ = link.tick(ms);
+        let actions = [link.bytes_in(&sealed(&line), ms), link.tick(ms)].concat();
+        carried_out(&mut link, actions, ms);
         if tick == 60_000 {
             after_ten_minutes = Some((link.monitor().bytes(), link.session().len()));
         }

@@ -16,5 +16,6 @@ mod examples;
 mod faults;
 mod running;
 mod session;
+mod stopping;
 mod typed;
 mod upload;

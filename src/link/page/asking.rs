@@ -4,8 +4,8 @@ use super::super::live::{Errand, LiveRun};
 use super::super::request::Request;
 use super::job::sealed;
 use super::{
-    DEADLINE_MS, Job, Kept, Link, MOST_JOBS, News, Pending, Phase, SECOND_MS, SILENCE_MS, Sending, Sent,
-    TRIES,
+    DEADLINE_MS, Job, Kept, Link, MOST_JOBS, News, OLD_RUN_MS, Pending, Phase, SECOND_MS, SILENCE_MS,
+    STOP_EVERY_MS, Sending, Sent, TRIES,
 };
 use super::{Trouble, hearing::Coming};
 use crate::route::TurnList;
@@ -13,7 +13,10 @@ use crate::route::TurnList;
 impl Link {
     /// Asks, when those who came before are answered.
     pub(super) fn ask(&mut self, job: Job, now_ms: u64) {
-        if !matches!(self.phase, Phase::Ready | Phase::Running) || self.queue.len() >= MOST_JOBS {
+        let at_work = matches!(self.phase, Phase::Ready | Phase::Running);
+        // Nothing waits behind a stop that is not confirmed, but what only asks.
+        let barred = self.alarm.is_some() || self.is_stopping() && !job.only_asks();
+        if !at_work || barred || self.queue.len() >= MOST_JOBS {
             self.note(News::NotNow(job), now_ms);
         } else {
             self.queue.push_back(job);
@@ -22,6 +25,7 @@ impl Link {
 
     pub(super) fn run(&mut self, errand: Errand, now_ms: u64) {
         if self.phase == Phase::Ready && self.sending.is_none() {
+            self.run_ms = now_ms;
             self.ask(Job::Run(errand), now_ms);
         } else {
             self.note(News::NotNow(Job::Run(errand)), now_ms);
@@ -47,39 +51,20 @@ impl Link {
         }
     }
 
-    /// `stop` overtakes everything; what only asks is asked afterwards.
-    pub(super) fn stop(&mut self, now_ms: u64) {
-        if !matches!(self.phase, Phase::Waiting { .. } | Phase::Ready | Phase::Running) {
-            return;
-        }
-        let waiting = self.pending.take().map(|pending| pending.job);
-        let jobs: alloc::vec::Vec<Job> = waiting.into_iter().chain(self.queue.drain(..)).collect();
-        for job in jobs {
-            if job.only_asks() {
-                self.queue.push_back(job);
-            } else if job != Job::Stop {
-                self.note(News::Overtaken(job), now_ms);
-            }
-        }
-        if self.sending.is_some() {
-            self.cut_upload();
-            self.queue.push_front(Job::ReadTurns);
-        }
-        self.starting = None;
-        self.write(alloc::vec![b'\n'], now_ms);
-        self.put(Job::Stop, now_ms);
-    }
-
     /// Sends the next request, unless one is waited for.
     pub(super) fn ask_next(&mut self, now_ms: u64) {
-        if self.pending.is_none()
+        while self.pending.is_none()
             && let Some(job) = self.queue.pop_front()
         {
-            self.put(job, now_ms);
+            if matches!(job, Job::Run(_)) && now_ms >= self.run_ms + OLD_RUN_MS {
+                self.note(News::TooLate(job), now_ms);
+            } else {
+                self.put(job, now_ms);
+            }
         }
     }
 
-    fn put(&mut self, job: Job, now_ms: u64) {
+    pub(super) fn put(&mut self, job: Job, now_ms: u64) {
         let tag = self.tag();
         if let Job::Run(mut errand) = job {
             // The page's explorer is to be no cleverer than the robot can be.
@@ -88,12 +73,16 @@ impl Link {
             }
             self.starting = Some(LiveRun::new(errand, self.pace));
         }
-        self.pending = Some(Pending { job, tag, tries: 0, deadline_ms: now_ms });
+        self.pending = Some(Pending { job, tag, tries: 0, asked_ms: now_ms, deadline_ms: now_ms });
         self.put_again(now_ms);
     }
 
-    fn put_again(&mut self, now_ms: u64) {
-        let Some(Pending { job, tag, tries, .. }) = self.pending else { return };
+    /// Sends it, unless a line before it is still on its way: then it is sent behind that.
+    pub(super) fn put_again(&mut self, now_ms: u64) {
+        let Some(Pending { job, tag, tries, asked_ms, .. }) = self.pending else { return };
+        if !self.can_write() {
+            return;
+        }
         let bytes = match (job.request(), &mut self.sending) {
             (Some(request), _) => sealed(request, tag),
             (None, Some(sending)) => sealed(sending.request(), tag),
@@ -103,14 +92,28 @@ impl Link {
         if matches!(job, Job::ReadTurns | Job::ReadNodes) {
             self.coming = Coming::default();
         }
-        self.pending = Some(Pending { job, tag, tries: tries + 1, deadline_ms: now_ms + DEADLINE_MS });
+        let wait_ms = if job == Job::Stop { STOP_EVERY_MS } else { DEADLINE_MS };
+        let (tries, deadline_ms) = (tries.saturating_add(1), now_ms + wait_ms);
+        self.pending = Some(Pending { job, tag, tries, asked_ms, deadline_ms });
+        if job == Job::Stop {
+            // Half a line that was left behind cannot swallow it.
+            self.write(alloc::vec![b'\n'], now_ms);
+        }
         self.write(bytes, now_ms);
     }
 
     /// Whatever is waited for may be overdue, and so may any sign of life.
     pub(super) fn wait_for_answer(&mut self, now_ms: u64) {
         match self.pending {
+            Some(Pending { job: Job::Stop, .. }) => self.stop_again(now_ms),
             Some(pending) if now_ms < pending.deadline_ms => {}
+            // A request that has not left yet is not overdue.
+            Some(pending) if pending.tries == 0 => {}
+            Some(pending) if self.is_silent_in_run(&pending, now_ms) => self.silent_in_run(now_ms),
+            // A page that slept must not wake a robot with what was wanted then.
+            Some(Pending { job: job @ Job::Run(_), asked_ms, .. }) if now_ms >= asked_ms + OLD_RUN_MS => {
+                self.give_up(job, now_ms);
+            }
             Some(pending) if pending.tries < TRIES => self.put_again(now_ms),
             Some(pending) => self.give_up(pending.job, now_ms),
             None if now_ms >= self.heard_ms + SILENCE_MS => self.queue.push_front(Job::Hi),
@@ -136,7 +139,11 @@ impl Link {
                 self.cut_upload();
                 self.queue.push_front(Job::ReadTurns);
             }
-            Job::Run(_) => self.starting = None,
+            // It may have heard it all the same, and be driving.
+            Job::Run(_) => {
+                self.note(News::NoAnswer(job), now_ms);
+                return self.stop(now_ms);
+            }
             // Which list it holds stays open until it is read at last.
             Job::ReadTurns => {
                 self.kept = Kept::Unknown;

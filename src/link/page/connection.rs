@@ -2,8 +2,8 @@
 
 use super::hearing::Coming;
 use super::job::sealed;
-use super::{Action, BOOT_WAIT_MS, HIS, Heard, Kept, Link, LostBefore, News, Phase, Placed, Port};
-use super::{SECOND_MS, Sent, Trouble};
+use super::{Action, BOOT_WAIT_MS, HIS, Heard, Job, Kept, Link, LostBefore, News, Phase, Placed, Port};
+use super::{Left, SECOND_MS, Sent, Trouble, Writing};
 use crate::event::Cut;
 use crate::link::frame::Decoder;
 use crate::link::monitor::Mark;
@@ -18,6 +18,9 @@ impl Link {
     pub(super) fn open(&mut self, port: Port) {
         // What was told of the connection before is over.
         self.notes.clear();
+        if self.port != Some(port) {
+            self.left = Left::Standing;
+        }
         self.port = Some(port);
         self.phase = Phase::Opening;
         self.lost_before = LostBefore::No;
@@ -27,8 +30,18 @@ impl Link {
     pub(super) fn opened(&mut self, now_ms: u64) {
         self.decoder = Decoder::new();
         self.robot_ms = None;
-        self.phase = Phase::Waiting { hi_ms: now_ms, his: 0, heard: Heard::Nothing };
+        self.writing = Writing::Nothing;
+        self.greet(now_ms);
+        if self.left == Left::Driving {
+            // One behind a radio module was not reset by opening, and may drive on.
+            self.put(Job::Stop, now_ms);
+        }
         self.say_hi(now_ms);
+    }
+
+    /// Waits for a `ready` from now on; the first `hi` comes as soon as it can.
+    pub(super) const fn greet(&mut self, now_ms: u64) {
+        self.phase = Phase::Waiting { hi_ms: now_ms, his: 0, heard: Heard::Nothing };
     }
 
     /// An LF first: half a line of somebody else cannot swallow the `hi`.
@@ -42,7 +55,7 @@ impl Link {
 
     /// Each `hi` has its whole second, also where the page was not woken for a while.
     pub(super) fn wait_on(&mut self, hi_ms: u64, his: u8, heard: Heard, now_ms: u64) {
-        if now_ms < hi_ms + if his == 0 { BOOT_WAIT_MS } else { SECOND_MS } {
+        if now_ms < hi_ms + if his == 0 { BOOT_WAIT_MS } else { SECOND_MS } || !self.can_write() {
             return;
         }
         if his < HIS {
@@ -78,8 +91,12 @@ impl Link {
     pub(super) fn hang_up(&mut self, now_ms: u64) {
         self.queue.clear();
         self.notes.clear();
+        let left = self.leave();
         if let Some(pending) = self.pending.take().filter(|pending| pending.job.is_told()) {
             self.note(News::Unanswered(pending.job), now_ms);
+        }
+        if left == Left::Driving {
+            self.note(News::MayDrive, now_ms);
         }
         self.cut_upload();
         self.forget_upload();

@@ -8,13 +8,12 @@ use super::super::fields::Tag;
 use super::super::frame::{self, Decoder, LineError, Sum};
 use super::super::live::{Errand, Fold, LiveRun, is_first};
 use super::super::monitor::Mark;
-use super::super::report::{Code, Ended, NodeLine, Origin, Reached, Ready, Report, Said};
+use super::super::report::{Code, End, Ended, NodeLine, Origin, Reached, Ready, Report, Said};
 use super::super::request::Upload;
 use super::super::tune::Name;
 use super::upload::Next;
 use super::{Action, DEADLINE_MS, Heard, Identity, Job, Kept, KeptList, Link, LostBefore, News};
-use super::{Pending, Phase, Placed, TRIES, Trouble};
-use crate::event::Cut;
+use super::{Left, Pending, Phase, Placed, TRIES, Trouble};
 
 /// Two `ready` lines nearer than this are one restart.
 const RESTART_MS: u64 = 500;
@@ -80,8 +79,10 @@ impl Link {
         self.heard_ms = now_ms;
         if let Phase::Waiting { .. } = self.phase {
             // Until it is known who is there, nothing else counts.
-            if let Report::Ready(ready) = report {
-                self.meet(&ready, now_ms);
+            match report {
+                Report::Ready(ready) => self.meet(&ready, now_ms),
+                Report::Ok(tag, said) if self.is_stopping() => self.answered(tag, Ok(said), now_ms),
+                _ => {}
             }
             return Mark::Plain;
         }
@@ -90,7 +91,7 @@ impl Link {
             Report::Ready(_) => self.met_again(now_ms),
             Report::Ok(tag, said) => self.answered(tag, Ok(said), now_ms),
             Report::Err(tag, code) => self.answered(tag, Err(code), now_ms),
-            Report::At(at) => self.reached(at),
+            Report::At(at) => self.reached(at, now_ms),
             Report::Do(chose) => {
                 if let Some(live) = &mut self.live
                     && live.chose(chose) == Fold::Differs
@@ -98,7 +99,7 @@ impl Link {
                     return Mark::Differs;
                 }
             }
-            Report::End(Ended { end, .. }) => self.ended(end),
+            Report::End(Ended { end, .. }) => self.ended(end, now_ms),
             Report::Ir(ir) => self.plot.push(ir, now_ms),
             Report::Beat(beat) => self.millivolts = Some(beat.millivolts),
             Report::TurnsHave { id, len, crc, origin } => {
@@ -146,8 +147,7 @@ impl Link {
         self.restarted_ms = Some(now_ms);
         self.tune = [None; Name::COUNT];
         self.plot.clear();
-        self.queue.extend([Job::Watch(self.level), Job::ReadTurns]);
-        self.queue.extend(Name::ALL.map(Job::Get));
+        self.ask_unknown();
         if core::mem::replace(&mut self.lost_before, LostBefore::No) == LostBefore::Yes {
             self.note(News::Reconnected, now_ms);
         }
@@ -194,9 +194,7 @@ impl Link {
         self.plot.clear();
         self.placed = Placed::Somewhere;
         self.cut_run();
-        if let Some(pending) =
-            self.pending.take_if(|pending| matches!(pending.job, Job::Run(_) | Job::Place | Job::Stop))
-            && pending.job != Job::Stop
+        if let Some(pending) = self.pending.take_if(|pending| matches!(pending.job, Job::Run(_) | Job::Place))
         {
             self.note(News::Refused(pending.job, Code::Place), now_ms);
         }
@@ -205,7 +203,9 @@ impl Link {
             sending.restart();
             self.sent = sending.progress();
         }
-        self.queue.push_front(Job::Watch(self.level));
+        if self.alarm.is_none() {
+            self.queue.push_front(Job::Watch(self.level));
+        }
         self.note(News::Restarted, now_ms);
     }
 
@@ -238,7 +238,7 @@ impl Link {
                 }
             }
             (Job::Place, Ok(_)) => self.placed = Placed::AtStart,
-            (Job::Stop, Ok(_)) => self.stopped(),
+            (Job::Stop, Ok(_)) => self.stopped(now_ms),
             (
                 Job::Hi
                 | Job::Watch(_)
@@ -253,6 +253,7 @@ impl Link {
         }
         self.rereads = 0;
         match answer {
+            Ok(_) if matches!(job, Job::Run(_)) => self.note(News::Accepted(job), now_ms),
             Ok(_) if job.is_told() => self.note(News::Done(job), now_ms),
             Ok(_) | Err(Code::NoList) if !job.is_told() => {}
             Err(code) => self.note(News::Refused(job, code), now_ms),
@@ -325,7 +326,7 @@ impl Link {
         }
     }
 
-    fn reached(&mut self, at: Reached) {
+    fn reached(&mut self, at: Reached, now_ms: u64) {
         self.plot.stop(at.ms);
         if self.phase == Phase::Ready {
             // The `ok` may be lost; or somebody started the robot by hand, and this is its first stop.
@@ -336,6 +337,9 @@ impl Link {
         }
         if let Some(live) = &mut self.live {
             live.reached(at);
+            if live.stops() == 0 && live.end().is_none() {
+                self.note(News::Driving(self.run_job()), now_ms);
+            }
         }
     }
 
@@ -343,26 +347,22 @@ impl Link {
         self.live.as_ref().is_none_or(|live| live.end().is_some())
     }
 
-    fn ended(&mut self, end: super::super::report::End) {
+    fn ended(&mut self, end: End, now_ms: u64) {
         if self.phase != Phase::Running {
             return;
         }
         self.phase = Phase::Ready;
+        self.note(News::Ended(self.run_job(), end), now_ms);
+        // It stands: a stop that it has not confirmed in words is confirmed by that.
+        if self.pending.take_if(|pending| pending.job == Job::Stop).is_some() {
+            self.stopped(now_ms);
+        }
+        self.left = Left::Standing;
         if let Some(live) = &mut self.live {
             live.ended(end);
             if !matches!(live.errand(), Errand::Route) {
                 // A run that found the finish has left a list, any run a node table.
                 self.queue.extend([Job::ReadTurns, Job::ReadNodes]);
-            }
-        }
-    }
-
-    /// The robot stands: `stop` was answered, and the `end` may be lost.
-    fn stopped(&mut self) {
-        if self.phase == Phase::Running {
-            self.phase = Phase::Ready;
-            if let Some(live) = &mut self.live {
-                live.cut(Cut::Stopped);
             }
         }
     }

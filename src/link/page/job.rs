@@ -5,7 +5,7 @@ use core::fmt::Write;
 
 use super::super::fields::Tag;
 use super::super::live::Errand;
-use super::super::report::Code;
+use super::super::report::{Code, End};
 use super::super::request::{Asked, Level, Request};
 use super::super::tune::Name;
 
@@ -97,7 +97,9 @@ impl Job {
 pub(super) struct Pending {
     pub(super) job: Job,
     pub(super) tag: Tag,
+    /// None while it waits for a write before it.
     pub(super) tries: u8,
+    pub(super) asked_ms: u64,
     pub(super) deadline_ms: u64,
 }
 
@@ -120,6 +122,12 @@ pub struct Note {
 pub enum News {
     /// It was done.
     Done(Job),
+    /// The robot will do it: a run.
+    Accepted(Job),
+    /// The first stop was reached.
+    Driving(Job),
+    /// The run is over.
+    Ended(Job, End),
     /// The robot refused.
     Refused(Job, Code),
     /// No answer, three times.
@@ -130,6 +138,16 @@ pub enum News {
     NotNow(Job),
     /// `stop` came before it.
     Overtaken(Job),
+    /// It waited behind a line that did not leave the computer, or a stop that was not confirmed.
+    ThrownAway(Job),
+    /// It waited too long.
+    TooLate(Job),
+    /// A line did not leave the computer.
+    LostWrite,
+    /// A typed line: the one before it has not left yet.
+    LineNotNow,
+    /// The connection ended while the robot drove, or before it confirmed its stop.
+    MayDrive,
     /// The robot started anew by itself.
     Restarted,
     /// Nobody answered at the last rate; the next is tried.
@@ -152,7 +170,13 @@ impl News {
         let mut text = String::new();
         // Writing to a string cannot fail.
         let _ = match self {
+            Self::Done(Job::Stop) => write!(text, "stop: the robot says that it stands."),
+            Self::Done(Job::Place) => write!(text, "back at the start: the robot knows."),
+            Self::Done(Job::Send) => write!(text, "sending the turn list: the robot has kept it."),
             Self::Done(job) => write!(text, "{}: done.", job.name()),
+            Self::Accepted(job) => write!(text, "{}: accepted.", job.name()),
+            Self::Driving(job) => write!(text, "{}: driving.", job.name()),
+            Self::Ended(job, end) => write!(text, "{}: ended, {}.", job.name(), end.text()),
             Self::Refused(job, code) => write!(text, "{}: the robot says “{}”.", job.name(), code.text()),
             Self::NoAnswer(job) => write!(text, "{}: no answer, asked three times.", job.name()),
             Self::Unanswered(job) => {
@@ -160,6 +184,15 @@ impl News {
             }
             Self::NotNow(job) => write!(text, "{}: not now.", job.name()),
             Self::Overtaken(job) => write!(text, "{}: dropped, because you stopped.", job.name()),
+            Self::ThrownAway(job) => write!(text, "{}: thrown away, it was not sent.", job.name()),
+            Self::TooLate(job) => write!(text, "{}: not sent, it waited too long. Ask again.", job.name()),
+            Self::LostWrite => {
+                write!(text, "A line did not leave the computer within a second and was thrown away.")
+            }
+            Self::LineNotNow => write!(text, "Not sent: the line before has not left the computer yet."),
+            Self::MayDrive => {
+                write!(text, "The connection ended while the robot drove: take it by hand, it may drive on.")
+            }
             Self::Restarted => write!(text, "The robot started anew. Put it back at the start."),
             Self::NextRate { from, to } => write!(text, "Silent at {from} baud: trying {to}."),
             Self::NothingChosen => write!(

@@ -1,5 +1,7 @@
 //! Where the page's end stands, and what it says about it: short plain sentences, and one cure for a failure.
 
+use super::Alarm;
+
 /// Where the page's end stands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum State {
@@ -19,6 +21,10 @@ pub enum State {
     Sending,
     /// The robot drives.
     Running,
+    /// The robot was told to stop and has not answered yet.
+    Stopping,
+    /// It should stand, and may be driving.
+    Alarm(Alarm),
     /// The port has just gone.
     Lost,
     /// The port is looked for.
@@ -89,6 +95,8 @@ impl State {
             Self::Ready => "ready",
             Self::Sending => "sending",
             Self::Running => "running",
+            Self::Stopping => "stopping",
+            Self::Alarm(_) => "not stopped",
             Self::Lost => "lost",
             Self::Reconnecting => "reconnecting",
             Self::Failed(_) => "failed",
@@ -107,6 +115,8 @@ impl State {
             Self::Ready => "The robot is ready.",
             Self::Sending => "A turn list is being sent.",
             Self::Running => "The robot is driving.",
+            Self::Stopping => "The robot was told to stop.",
+            Self::Alarm(alarm) => alarm.says(),
             Self::Lost => "The connection is lost.",
             Self::Reconnecting => "The port is gone. It is being looked for.",
             Self::Failed(trouble) => trouble.cause(),
@@ -122,20 +132,22 @@ impl State {
             ),
             Self::Lost | Self::Reconnecting => Some("Plug the cable in again."),
             Self::Failed(trouble) => Some(trouble.cure()),
+            Self::Alarm(alarm) => Some(alarm.cure()),
             Self::Closed
             | Self::Choosing
             | Self::Opening
             | Self::Waiting
             | Self::Ready
             | Self::Sending
-            | Self::Running => None,
+            | Self::Running
+            | Self::Stopping => None,
         }
     }
 
     /// Whether a robot is there that answers.
     #[must_use]
     pub const fn is_connected(self) -> bool {
-        matches!(self, Self::Ready | Self::Sending | Self::Running)
+        matches!(self, Self::Ready | Self::Sending | Self::Running | Self::Stopping)
     }
 }
 

@@ -39,12 +39,16 @@ pub struct Snapshot {
 impl Link {
     /// Where the page's end stands.
     #[must_use]
-    pub const fn state(&self) -> State {
+    pub fn state(&self) -> State {
+        if let Some(alarm) = self.alarm.filter(|_| self.is_open()) {
+            return State::Alarm(alarm);
+        }
         match self.phase {
             Phase::Absent => State::Absent,
             Phase::Closed => State::Closed,
             Phase::Choosing => State::Choosing,
             Phase::Opening => State::Opening,
+            Phase::Ready | Phase::Running if self.is_stopping() => State::Stopping,
             Phase::Waiting { .. } => State::Waiting,
             Phase::Ready if self.sending.is_some() => State::Sending,
             Phase::Ready => State::Ready,
@@ -146,8 +150,14 @@ impl Link {
 
     /// Whether leaving the page now would cut something off.
     #[must_use]
-    pub const fn is_busy(&self) -> bool {
-        matches!(self.state(), State::Sending | State::Running)
+    pub fn is_busy(&self) -> bool {
+        matches!(self.state(), State::Sending) || self.may_drive()
+    }
+
+    /// Whether the robot drives, or may: its stop has to be at hand.
+    #[must_use]
+    pub fn may_drive(&self) -> bool {
+        matches!(self.state(), State::Running | State::Stopping | State::Alarm(_))
     }
 
     /// How long the page takes the robot to turn: for the clock of live runs.

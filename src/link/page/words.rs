@@ -72,6 +72,10 @@ pub enum PortEvent {
     Gone,
     /// The port that was lost is there again.
     Appeared,
+    /// A write has ended, well or not: the port takes another.
+    Written,
+    /// What was still to be sent is thrown away: the port takes lines again.
+    Aborted,
 }
 
 /// What is to be done to the port.
@@ -84,8 +88,10 @@ pub enum Action {
         /// Bits a second.
         baud: u32,
     },
-    /// Send these bytes.
+    /// Send these bytes; answer with `Written` when the system has taken them.
     Write(Vec<u8>),
+    /// Throw away what was written and has not left; answer with `Aborted`.
+    Abort,
     /// Close the port.
     Close,
     /// Look whether the lost port is there again; if so, answer with `Appeared`.

@@ -234,6 +234,18 @@ impl End {
         Self::NAMED[self as usize].1
     }
 
+    /// As people call it.
+    #[must_use]
+    pub const fn text(self) -> &'static str {
+        match self {
+            Self::Finish => "finish reached",
+            Self::NoFinishReachable => "no finish reachable",
+            Self::TableFull => "node table full",
+            Self::Lost => "the line is lost",
+            Self::Stopped => "stopped",
+        }
+    }
+
     pub(super) fn from_word(word: &str) -> Option<Self> {
         Self::NAMED.into_iter().find(|&(_, name)| name == word).map(|(end, _)| end)
     }

@@ -104,8 +104,13 @@ pub fn MonitorCard() -> impl IntoView {
         }
     };
     let connected = Memo::new(move |_| wire.snapshot().state);
-    let can_send =
-        move || connected.get().is_connected() || connected.get() == crate::link::page::State::Waiting;
+    let can_send = move || {
+        connected.get().is_connected()
+            || matches!(
+                connected.get(),
+                crate::link::page::State::Waiting | crate::link::page::State::Alarm(_)
+            )
+    };
     let sort = move |of: Show, name: &'static str| {
         view! { <button aria-pressed=sig(move || (show.get() == of).to_string()) on:click=mouse(move |_| show.set(of))>{name}</button> }
     };
@@ -136,7 +141,7 @@ pub fn MonitorCard() -> impl IntoView {
                 <ol inner_html=sig(move || lines.get())></ol>
             </div>
             <form class="row filter" on:submit=submit(send)>
-                <input class="input" id="line" aria-label="Line to send" placeholder="hi, stop, get NAME" autocomplete="off" autocapitalize="off" spellcheck="false" maxlength="80" prop:value=sig(move || typed.get()) on:input=event(move |event| typed.set(event_target_value(&event))) />
+                <input class="input" id="line" aria-label="Line to send" placeholder="hi, stop, help" autocomplete="off" autocapitalize="off" spellcheck="false" maxlength="80" prop:value=sig(move || typed.get()) on:input=event(move |event| typed.set(event_target_value(&event))) />
                 <button class="btn" id="send-line" disabled=sig(move || !can_send())>"Send line"</button>
             </form>
         </section>
@@ -177,7 +182,7 @@ fn push_line(markup: &mut String, monitor: &Monitor, number: u64, line: &LogLine
     };
     let mark = match line.mark {
         Mark::Plain => "",
-        Mark::Bad(_) | Mark::Strange => " bad",
+        Mark::Bad(_) | Mark::Strange | Mark::Lost => " bad",
         Mark::Differs => " differs",
     };
     let _ = write!(

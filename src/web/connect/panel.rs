@@ -28,6 +28,8 @@ pub fn Connection() -> impl IntoView {
                 | State::Ready
                 | State::Sending
                 | State::Running
+                | State::Stopping
+                | State::Alarm(_)
                 | State::Lost
                 | State::Reconnecting
         )
@@ -41,8 +43,8 @@ pub fn Connection() -> impl IntoView {
                 <div aria-live="polite" class="stack says" id="link-says">
                     {part(move || (!state.get().is_connected()).then(|| view! { <p>{state.get().says()}</p> }))}
                     {part(move || state.get().cure().map(|cure| view! {
-                        <div class="note cure" class:bad=matches!(state.get(), State::Failed(_)) class:warn=!matches!(state.get(), State::Failed(_))>
-                            <span class=if matches!(state.get(), State::Failed(_)) { "mark bad" } else { "mark warn" }>{icons::warn()}</span>
+                        <div class="note cure" class:bad=is_bad(state.get()) class:warn=!is_bad(state.get())>
+                            <span class=if is_bad(state.get()) { "mark bad" } else { "mark warn" }>{icons::warn()}</span>
                             <p class="small" id="cure">{cure}</p>
                         </div>
                     }))}
@@ -81,7 +83,8 @@ fn shape(state: State) -> impl IntoView {
         State::Sending => "M8 13V3M4 7l4-4 4 4",
         State::Running => "M4 2.5v11L13 8z",
         State::Lost | State::Reconnecting => "M3 8h3M10 8h3M8 4v8",
-        State::Failed(_) => "M8 2l6 11H2zM8 6v3.5",
+        State::Stopping => "M3 3h10v10H3z",
+        State::Alarm(_) | State::Failed(_) => "M8 2l6 11H2zM8 6v3.5",
     };
     view! { <svg class="shape" viewBox="0 0 16 16" aria-hidden="true"><path d=data /></svg> }
 }
@@ -89,9 +92,19 @@ fn shape(state: State) -> impl IntoView {
 const fn tone(state: State) -> &'static str {
     match state {
         State::Ready | State::Sending | State::Running => "go",
-        State::Lost | State::Reconnecting | State::Failed(_) => "bad",
-        State::Absent | State::Closed | State::Choosing | State::Opening | State::Waiting => "info",
+        State::Lost | State::Reconnecting | State::Failed(_) | State::Alarm(_) => "bad",
+        State::Absent
+        | State::Closed
+        | State::Choosing
+        | State::Opening
+        | State::Waiting
+        | State::Stopping => "info",
     }
+}
+
+/// Whether something has to be done at once.
+const fn is_bad(state: State) -> bool {
+    matches!(state, State::Failed(_) | State::Alarm(_))
 }
 
 /// The port and who is at its other end.
@@ -128,7 +141,7 @@ fn Steps(state: Memo<State>) -> impl IntoView {
     let reached = move || match state.get() {
         State::Waiting => 1,
         State::Ready | State::Sending => 2,
-        State::Running => 3,
+        State::Running | State::Stopping | State::Alarm(_) => 3,
         State::Absent
         | State::Closed
         | State::Choosing

@@ -45,6 +45,8 @@ struct Inner {
     port: Option<SerialPort>,
     timer: Option<IntervalHandle>,
     frame_comes: bool,
+    /// Whether the alarm was shown.
+    alarmed: bool,
     runs: Vec<LiveRun>,
     /// The run that was shown last: stops, whether it was over, and whether the connection was.
     shown: Option<(u32, bool, bool)>,
@@ -94,6 +96,7 @@ impl Wire {
                 port: None,
                 timer: None,
                 frame_comes: false,
+                alarmed: false,
                 runs: Vec::new(),
                 shown: None,
             }),
@@ -108,6 +111,7 @@ impl Wire {
                 wire.find_known();
             }
         }
+        halt::listen(wire);
         let _ = window_event_listener(leptos::ev::beforeunload, move |event| {
             if wire.peek(Link::is_busy) {
                 event.prevent_default();
@@ -185,6 +189,7 @@ impl Wire {
                 Action::Choose => self.choose(),
                 Action::Open { baud } => self.open(baud),
                 Action::Write(bytes) => self.write(&bytes),
+                Action::Abort => self.abort(),
                 Action::Close => self.close(),
                 Action::Look => self.look_for_port(),
             }
@@ -222,11 +227,16 @@ impl Wire {
         });
     }
 
-    /// While the robot drives, it can be stopped in every room that shows its run.
+    /// While the robot drives, or may, it can be stopped in every room. An alarm is not hidden by a dialog.
     fn offer_stop(self) {
-        let drives = self.peek(Link::state) == State::Running;
+        let drives = self.peek(Link::may_drive);
         if drives != self.lab.halt.with_untracked(Option::is_some) {
-            self.lab.halt.set(drives.then_some(halt::button));
+            self.lab.halt.set(drives.then_some(halt::bar));
         }
+        let alarm = matches!(self.peek(Link::state), State::Alarm(_));
+        if alarm && !self.change(|inner| std::mem::replace(&mut inner.alarmed, true)) {
+            self.lab.dialog.set(None);
+        }
+        self.change(|inner| inner.alarmed = alarm);
     }
 }

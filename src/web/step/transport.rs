@@ -54,7 +54,6 @@ pub fn Buttons() -> impl IntoView {
             </button>
             {button("Forward (→)", Command::Forward, icons::forward().into_any())}
             {button("To end (End)", Command::ToEnd, icons::to_end().into_any())}
-            {part(move || lab.halt.get().map(|halt| halt(lab)))}
         </div>
     }
 }

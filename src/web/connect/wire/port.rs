@@ -85,19 +85,34 @@ impl Wire {
     }
 
     pub(super) fn write(self, bytes: &[u8]) {
-        let gone = self.change(|inner| match (&mut inner.demo, &inner.port) {
+        // What happens then is told later, not in the middle of carrying out what came before.
+        let then = self.change(|inner| match (&mut inner.demo, &inner.port) {
             (Some(demo), _) => {
                 demo.bytes_in(bytes, now_ms());
-                false
+                Some(PortEvent::Written)
             }
-            (None, Some(port)) => port.write(bytes).is_err(),
-            (None, None) => false,
+            (None, Some(port)) => port
+                .write(bytes, move || self.happened(PortEvent::Written))
+                .is_err()
+                .then_some(PortEvent::Gone),
+            (None, None) => None,
         });
-        if gone {
+        if then == Some(PortEvent::Gone) {
             self.release();
-            // Not in the middle of carrying out what came before.
-            leptos::task::spawn_local(async move { self.happened(PortEvent::Gone) });
         }
+        if let Some(event) = then {
+            leptos::task::spawn_local(async move { self.happened(event) });
+        }
+    }
+
+    pub(super) fn abort(self) {
+        let port = self.inner.with_value(|inner| inner.port.clone());
+        leptos::task::spawn_local(async move {
+            if let Some(port) = port {
+                port.abort().await;
+            }
+            self.happened(PortEvent::Aborted);
+        });
     }
 
     pub(super) fn close(self) {

@@ -143,15 +143,17 @@ async fn a_wrong_setting_is_marked_while_it_is_typed() -> Result<()> {
 #[tokio::test]
 async fn a_robot_that_drives_is_stopped_from_any_room_that_shows_its_run() -> Result<()> {
     lab(Setup::default().at("connect"), async |page| {
-        const STOP: &str = "footer #stop-robot";
+        const STOP: &str = ".halt-bar #stop-robot";
         demo(page).await?;
         page.press("2").await?;
         page.wait_for(".transport .play").await?;
         assert_eq!(page.count(STOP).await?, 0);
         page.press("4").await?;
         drive(page).await?;
-        // Here it is in the footer anyway.
-        assert_eq!(page.count(STOP).await?, 0);
+        // First in the order of Tab, and in every room.
+        page.wait_for(STOP).await?;
+        let first = "document.querySelector('button, a[href], input, select, [tabindex]').id";
+        assert_eq!(page.eval(first).await?, json!("stop-robot"));
         page.press("2").await?;
         page.wait_for(STOP).await?;
         let height =
@@ -164,7 +166,7 @@ async fn a_robot_that_drives_is_stopped_from_any_room_that_shows_its_run() -> Re
         page.screenshot("projector-stop").await?;
         page.press("p").await?;
         page.wait_for_no(".projector").await?;
-        page.click("Stop the robot").await?;
+        page.click_css("#stop-robot").await?;
         page.wait_for_text(".note.guest", "stopped by hand").await?;
         page.wait_for_no(STOP).await?;
         // By keys, on the projector; the focus stays in the footer.
