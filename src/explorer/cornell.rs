@@ -14,6 +14,7 @@
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 
+use super::book::errata::{Erratum, Place};
 use super::mind::{Field, Plan, Robot};
 use super::squares::{ORDER, Squares, VISITED, wall};
 use super::tell::{Said, many};
@@ -24,12 +25,12 @@ listing! {
     ACT     "every square:"
     WRITE   "  maze[xpos][ypos] |= walls; visited = 1"
     ONE     "  1: first open of: ahead, left, right; else turn round"
-    TWO     "  2, 3: first open, unvisited neighbour of: ahead, left, right, back"
+    TWO lab "  2, 3: first open, unvisited neighbour of: ahead, left, right, back"
     REST    "  2: if there is none: first open of these"
-    FOLLOW  "  3: if there is a route: follow it"
-    SEARCH  "  3: else breadth first over visited squares to the first unvisited one"
-    DONE    "     if there is none: stop          # all is mapped"
-    ROUTE   "     route = the squares to it"
+    FOLLOW lab "  3: if there is a route: follow it"
+    SEARCH lab "  3: else breadth first over visited squares to the first unvisited one"
+    DONE lab "     if there is none: stop          # all is mapped"
+    ROUTE lab "     route = the squares to it"
 }
 
 cases! {
@@ -41,6 +42,60 @@ cases! {
     ROUTE "on-route" Info Plain "The robot follows its route over visited squares to {target}, {left} away: it *{turn}*."
     DONE "mapped" Go End "No square that can be reached is unvisited: the map is *complete*."
 }
+
+/// What the page leaves open about the first.
+pub static ERRATA_1: &[Erratum] = &[
+    Erratum::open(
+        "Design",
+        "Place and size of the field",
+        "The team’s robot begins at 0,0 of 9 by 9 squares. Here the maze’s bounds are the field, and start and orientation are as they are drawn.",
+        &[Place::Told(case::START)],
+    ),
+    Erratum::open(
+        "First algorithm",
+        "The first keeps no map",
+        "The page tells of the array only with the second algorithm. The lab writes it for the first too, so that one can see what the robot saw; it decides nothing.",
+        &[Place::Told(case::START)],
+    ),
+];
+
+/// What the page leaves open about the second.
+pub static ERRATA_2: &[Erratum] = &[
+    Erratum::open(
+        "Design",
+        "Place and size of the field",
+        "The team’s robot begins at 0,0 of 9 by 9 squares. Here the maze’s bounds are the field, and start and orientation are as they are drawn.",
+        &[Place::Told(case::START)],
+    ),
+    Erratum::open(
+        "Second algorithm",
+        "Which unvisited neighbour",
+        "The robot goes to a neighbour that it has not visited; the page does not say to which of several. The lab keeps the page’s order for open ways: ahead, left, right, back.",
+        &[Place::Told(case::START)],
+    ),
+];
+
+/// What the page leaves open about the third.
+pub static ERRATA_3: &[Erratum] = &[
+    Erratum::open(
+        "Design",
+        "Place and size of the field",
+        "The team’s robot begins at 0,0 of 9 by 9 squares. Here the maze’s bounds are the field, and start and orientation are as they are drawn.",
+        &[Place::Told(case::START)],
+    ),
+    Erratum::open(
+        "Second algorithm",
+        "Which unvisited neighbour",
+        "The robot goes to a neighbour that it has not visited; the page does not say to which of several. The lab keeps the page’s order for open ways: ahead, left, right, back.",
+        &[Place::Told(case::START)],
+    ),
+    Erratum::open(
+        "Third algorithm",
+        "The third is described elsewhere",
+        "The page only says that searching and path planning were added, and that one can read about it elsewhere. Breadth first to the nearest unvisited square, and driving there without looking again, is the lab’s reading.",
+        &[Place::Told(case::PLAN), Place::Told(case::DONE)],
+    ),
+];
 
 /// Which of the three.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -10,6 +10,7 @@
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 
+use super::book::errata::{Erratum, Place};
 use super::mind::{Plan, Robot};
 use super::tell::{Said, letters};
 use crate::event::{Decision, Finish, Home, Look, Outcome};
@@ -18,14 +19,14 @@ use crate::geometry::Turn;
 listing! {
     ACT    "every stop:"
     FINISH "  if finish:          stop          # path is the route"
-    DEAD   "  else if dead end:   turn round; add(B)"
+    DEAD lab "  else if dead end:   turn round; add(B)"
     CORNER "  else if corner:     turn the only way there is"
-    NODE   "  else:               first way of: hand, ahead, other hand, back; add(its letter)"
+    NODE lab "  else:               first way of: hand, ahead, other hand, back; add(its letter)"
     GAP    ""
-    ADD    "add(letter):"
-    PUSH   "  path[n] = letter; n = n + 1"
-    IF_XBY "  if n >= 3 and path[n - 2] == B:"
-    REDUCE "    x B y becomes one letter: the sum of its turns; n = n - 2"
+    ADD lab "add(letter):"
+    PUSH lab "  path[n] = letter; n = n + 1"
+    IF_XBY lab "  if n >= 3 and path[n - 2] == B:"
+    REDUCE lab "    x B y becomes one letter: the sum of its turns; n = n - 2"
 }
 
 cases! {
@@ -36,6 +37,22 @@ cases! {
     DEAD "dead-end" Now DeadEnd "The line ends: the robot *turns round* and adds the letter `B`. Its `path` is {path}."
     FINISH "finish" Go End "The robot stands on the *finish*. Its `path` is the route: {path}."
 }
+
+/// What the book leaves open.
+pub static ERRATA: &[Erratum] = &[
+    Erratum::open(
+        "§1.2",
+        "Only the name",
+        "The book names LEFT-HAND-ON-THE-WALL and points to another page for it. The order of ways here, hand, ahead, other hand, back, is the lab’s reading, and so is the right hand.",
+        &[Place::Told(case::NODE)],
+    ),
+    Erratum::open(
+        "§1.2",
+        "Letters are not in the book",
+        "That the robot keeps a letter for each node and makes one of three where a way led back is common practice, not the book’s: there it only says that the path is optimal.",
+        &[Place::Told(case::REDUCED), Place::Told(case::DEAD)],
+    ),
+];
 
 /// Which hand stays on the wall.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

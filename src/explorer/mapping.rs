@@ -33,10 +33,10 @@ listing! {
     FIND   "  point = the one with these coordinates, within the tolerance"
     NEW    "  if there is none: point = Total_points; Total_points = Total_points + 1"
     COLUMN "  one column more: Point, Type, CoOr_X, CoOr_Y"
-    JOIN   "  join it to the point before; Explored = its different neighbours"
+    JOIN lab "  join it to the point before; Explored = its different neighbours"
     ROUTE  "  if it drives to a point: go on over known points"
-    TAKE   "  else if it has unexplored ways: take the first of east, north, west, south"
-    NEAR   "  else find the nearest point that has one: drive there over known points"
+    TAKE lab "  else if it has unexplored ways: take the first of east, north, west, south"
+    NEAR lab "  else find the nearest point that has one: drive there over known points"
     NONE   "  if there is none: stop        # explored; make the adjacency list"
 }
 
@@ -50,7 +50,7 @@ cases! {
     DONE "explored" Go End "No point has an unexplored way: the exploration is *finished*, with {total}. The columns give the adjacency list."
 }
 
-/// Where the paper slips.
+/// Where the paper slips, and what it leaves open.
 pub static ERRATA: &[Erratum] = &[
     Erratum {
         section: "Figure 3",
@@ -74,6 +74,18 @@ pub static ERRATA: &[Erratum] = &[
             Place::SakibFigure2 { stop: 9 },
         ],
     },
+    Erratum::open(
+        "§III",
+        "Which way first",
+        "The paper speaks of a sequence of preference without giving it. Its example takes east, then north, so the lab follows the paper’s numbers: east, north, west, south.",
+        &[Place::Told(case::START)],
+    ),
+    Erratum::open(
+        "§III",
+        "How far is near",
+        "The paper goes to the closest point with something left. The lab measures what has to be driven; of equally near points it takes the one recorded first, and there the shortest way.",
+        &[Place::Told(case::SEARCH)],
+    ),
 ];
 
 /// No point.

@@ -90,11 +90,38 @@ pub enum Setting {
     Search,
 }
 
+/// What of an explorer its source does not say, so that the lab had to read it into it or fill it in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Reading {
+    /// How much of it.
+    pub extent: Extent,
+    /// What, in a sentence or two.
+    pub text: &'static str,
+}
+
+/// How much of an explorer is the lab's.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Extent {
+    /// Some lines, which are marked.
+    Parts,
+    /// All of it: the source gives the idea, or there is no single one.
+    Whole,
+}
+
+impl Extent {
+    /// In a few words.
+    #[must_use]
+    pub const fn words(self) -> &'static str {
+        match self {
+            Self::Parts => "in part the lab’s reading",
+            Self::Whole => "the lab’s own wording",
+        }
+    }
+}
+
 /// What is to be known about an explorer.
 #[derive(Debug)]
 pub struct About {
-    /// As the command line and links write it.
-    pub name: &'static str,
     /// As the page writes it.
     pub title: &'static str,
     /// Who described it, and where.
@@ -105,8 +132,6 @@ pub struct About {
     pub cannot: &'static str,
     /// The sample that shows this: a file in `mazes/`, without `.maze`.
     pub sample: &'static str,
-    /// What of the settings it heeds.
-    pub settings: &'static [Setting],
     /// Where it stops.
     pub stops: Stops,
     /// What it is after.
@@ -117,6 +142,10 @@ pub struct About {
     pub bytes: &'static str,
     /// Its pseudo-code; the book's has a listing of its own, `book::code::LISTING`.
     pub listing: &'static [&'static str],
+    /// Which of these lines are the lab's reading, in part at least; the book's are `book::code::OURS`.
+    pub ours: &'static [bool],
+    /// What of the explorer is the lab's reading of its source.
+    pub reading: Reading,
     /// What a stop can be; the book's has an enum of its own, `book::Case`.
     pub cases: &'static [Case],
     /// Where the source slips or leaves something open.
@@ -145,7 +174,42 @@ impl Name {
     /// As the command line and links write it.
     #[must_use]
     pub const fn text(self) -> &'static str {
-        self.about().name
+        // Not among what is to be known about it, which the page loads when someone asks.
+        match self {
+            Self::Book => "book",
+            Self::LeftHand => "left-hand",
+            Self::RightHand => "right-hand",
+            Self::DirectionSumLeft => "direction-sum-left",
+            Self::DirectionSumRight => "direction-sum-right",
+            Self::Mapping => "mapping",
+            Self::ParexLeft => "parex-left",
+            Self::ParexRight => "parex-right",
+            Self::Cornell1 => "cornell-1",
+            Self::Cornell2 => "cornell-2",
+            Self::Cornell3 => "cornell-3",
+            Self::Tremaux => "tremaux",
+            Self::DepthFirst => "depth-first",
+            Self::FloodFill => "flood-fill",
+        }
+    }
+
+    /// Whether it heeds a setting, besides the pace, which all heed.
+    #[must_use]
+    pub const fn heeds(self, setting: Setting) -> bool {
+        match self {
+            Self::Book => matches!(setting, Setting::Order | Setting::Epsilon | Setting::NodeMax),
+            Self::Tremaux | Self::DepthFirst => matches!(setting, Setting::Order | Setting::Epsilon),
+            Self::Mapping => matches!(setting, Setting::Epsilon | Setting::Search),
+            Self::ParexLeft | Self::ParexRight => matches!(setting, Setting::Rule | Setting::PathMax),
+            Self::LeftHand
+            | Self::RightHand
+            | Self::DirectionSumLeft
+            | Self::DirectionSumRight
+            | Self::Cornell1
+            | Self::Cornell2
+            | Self::Cornell3
+            | Self::FloodFill => false,
+        }
     }
 
     /// What is to be known about it.

@@ -26,10 +26,10 @@ listing! {
     IF_TWO  "    if CSIP > 2 and Path(CSIP) == Path(CSIP - 2):   # two steps ago"
     CUT_TWO "      Path(CSIP) = Path(CSIP - 1) = 0; CSIP = CSIP - 2"
     SPECIAL "  special case 1:"
-    IF_ANY  "    for P = CSIP - 1 down to 1: if Path(P) == Path(CSIP):   # anywhere"
-    CUT_ANY "      Path(P + 1 .. CSIP) = 0; CSIP = P"
+    IF_ANY lab "    for P = CSIP - 1 down to 1: if Path(P) == Path(CSIP):   # anywhere"
+    CUT_ANY lab "      Path(P + 1 .. CSIP) = 0; CSIP = P"
     FINISH  "  if finish: stop                # Path is the way from the start"
-    FOLLOW  "  first way of: hand, ahead, other hand, back"
+    FOLLOW lab "  first way of: hand, ahead, other hand, back"
 }
 
 cases! {
@@ -40,7 +40,7 @@ cases! {
     FULL "path-full" Bad End "The path has no room for another square: all {csip} places are *taken*."
 }
 
-/// Where the article's listings slip.
+/// Where the article's listings slip, and what it leaves open.
 pub static ERRATA: &[Erratum] = &[
     Erratum {
         section: "Special case 1",
@@ -69,6 +69,18 @@ pub static ERRATA: &[Erratum] = &[
         kind: Kind::Slip,
         places: &[Place::Ran(line::CUT_ANY)],
     },
+    Erratum::open(
+        "Mapping your maze",
+        "What wall following is",
+        "The article takes left or right wall following as known. The lab reads it as the first way of hand, ahead, other hand, back.",
+        &[Place::Told(case::START)],
+    ),
+    Erratum::open(
+        "Special case 1",
+        "When the list is full",
+        "The article assumes a path of 48 squares at most and does not say what happens beyond. The lab ends the run there.",
+        &[Place::Told(case::FULL)],
+    ),
 ];
 
 /// How squares are numbered.

@@ -11,6 +11,7 @@
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 
+use super::book::errata::{Erratum, Place};
 use super::hand::Side;
 use super::mind::{Plan, Robot};
 use super::tell::{Said, tail};
@@ -21,15 +22,15 @@ listing! {
     INIT     "j = 0; a[] = 0"
     ACT      "every stop:"
     FINISH   "  if finish:                     stop      # a[1..j] is the route"
-    HOME     "  else if at the start, j <= 0:  stop      # nothing is left"
+    HOME lab "  else if at the start, j <= 0:  stop      # nothing is left"
     DEAD     "  else if dead end:              turn round; j = j - 1"
     CORNER   "  else if corner:                turn the only way there is"
     ELSE     "  else:"
     NEXT     "    j = j + 1"
     TAKE     "    take the first way of the order, Down last"
-    ADD      "    a[j] = (a[j] + direction) mod 4   # right 1, front 2, left 3, down 0"
-    IF_USED  "    if a[j] == 0:                     # it leaves by the way it first came"
-    CLEAR    "      j = j - 2                       # one to forget it, one for turning back"
+    ADD lab "    a[j] = (a[j] + direction) mod 4   # right 1, front 2, left 3, down 0"
+    IF_USED lab "    if a[j] == 0:                     # it leaves by the way it first came"
+    CLEAR lab "      j = j - 2                       # one to forget it, one for turning back"
 }
 
 cases! {
@@ -41,6 +42,38 @@ cases! {
     NONE "no-finish" Bad End "The robot is back at the start, and `j` is {j}: it drove *every line*, and none led to a finish."
     FINISH "finish" Go End "The robot stands on the *finish*. The array is the route, junction by junction: {a}."
 }
+
+/// What the paper leaves open, or has otherwise.
+pub static ERRATA: &[Erratum] = &[
+    Erratum {
+        printed: Some("(4) for down"),
+        meant: Some("0 for down"),
+        ..Erratum::open(
+            "§II",
+            "Down counts 0, not 4",
+            "The paper marks down with 4. The lab’s sums have no 4: a whole turn is none, so down adds nothing.",
+            &[Place::Told(case::JUNCTION)],
+        )
+    },
+    Erratum::open(
+        "§II",
+        "The paper takes no remainder",
+        "It adds direction numbers as they are. Where several ways of a junction fail, its sum passes 4 and is no direction any more. The lab takes it modulo 4.",
+        &[Place::Told(case::JUNCTION)],
+    ),
+    Erratum::open(
+        "§II",
+        "A junction that is used up",
+        "The paper does not say what happens when every way of a junction was tried. The lab reads the sum 0 as leaving by the first way in: the number is cleared, and j goes back by two.",
+        &[Place::Ran(line::CLEAR)],
+    ),
+    Erratum::open(
+        "§II",
+        "No finish, no end",
+        "The paper always finds its end-point. The lab stops a robot that comes back to the start with no junction left.",
+        &[Place::Told(case::NONE)],
+    ),
+];
 
 /// A robot that sums directions.
 #[derive(Clone, Debug)]

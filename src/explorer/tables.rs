@@ -1,11 +1,14 @@
 //! How an explorer writes down its pseudo-code and its cases: once, in order, with a name for each.
 
 /// Makes `LISTING`, the lines of the pseudo-code (indented by two spaces a level; what follows `#` is a
-/// comment), and in `line` a name for the number of each.
+/// comment), and in `line` a name for the number of each. `lab` before a line says that it is, in part at least, the
+/// lab's reading: the source leaves it open or says otherwise.
 macro_rules! listing {
-    ($($name:ident $text:literal)*) => {
+    ($($name:ident $($whose:ident)? $text:literal)*) => {
         /// The pseudo-code in our own words, in order; lines are numbered from 1.
         pub const LISTING: &[&str] = &[$($text),*];
+        /// Which of its lines are the lab's reading.
+        pub const OURS: &[bool] = &[$(ours!($($whose)?)),*];
         mod line {
             numbered!(0u8; $($name)*);
         }
@@ -25,6 +28,16 @@ macro_rules! cases {
         mod case {
             numbered!(0u8; $($name)*);
         }
+    };
+}
+
+/// Whether a line is the lab's reading.
+macro_rules! ours {
+    (lab) => {
+        true
+    };
+    () => {
+        false
     };
 }
 

@@ -10,6 +10,7 @@
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 
+use super::book::errata::{Erratum, Place};
 use super::mind::{Plan, Robot};
 use super::places::{Places, Reckoning};
 use super::taste::Taste;
@@ -21,14 +22,14 @@ use crate::settings::Order;
 listing! {
     ACT    "every stop:"
     FINISH "  if finish:                          stop      # ways with one mark are the route"
-    HOME   "  else if the start, a dead end:      stop      # nothing is left"
+    HOME lab "  else if the start, a dead end:      stop      # nothing is left"
     DEAD   "  else if dead end:                   turn round"
     CORNER "  else if corner:                     turn the only way there is"
     NODE   "  else: one mark more for the way behind"
     LOOP   "    if there were other marks, and it now has one:  turn round, one mark more"
-    NONE   "    else take the first way of the order without a mark, one mark more"
+    NONE lab "    else take the first way of the order without a mark, one mark more"
     ONE    "    if there is none: the way with one mark, one mark more"
-    STOP   "    if there is none (at the start): stop"
+    STOP lab "    if there is none (at the start): stop"
 }
 
 cases! {
@@ -42,6 +43,22 @@ cases! {
     NONE "no-finish" Bad End "The robot is back at the start, and every way that it marked has two marks: it drove *every line*, and none led to a finish."
     FINISH "finish" Go End "The robot stands on the *finish*. At the nodes from the start to here, the ways with *one mark* are the route."
 }
+
+/// What the rule leaves open.
+pub static ERRATA: &[Erratum] = &[
+    Erratum::open(
+        "Lucas 1882",
+        "How a node is known again",
+        "A wanderer sees the marks. A line robot cannot leave any, so the lab’s keeps them in a table and finds a node by its coordinates.",
+        &[Place::Told(case::LOOP)],
+    ),
+    Erratum::open(
+        "Lucas 1882",
+        "Which way first",
+        "The rule leaves the choice among unmarked ways to the wanderer. The lab’s robot takes the first of its preference order.",
+        &[Place::Told(case::START)],
+    ),
+];
 
 /// A node as the chalk shows it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -64,6 +64,10 @@ listing! {
     FORGET         "30" "  ptr = ptr - 1             # node m is forgotten"
 }
 
+/// The lines that are the lab's reading, in part at least: the book leaves open what they do, or keeps silent. That it
+/// leaves the whole of its pseudo-code unwritten (§3.3) is said beside it.
+pub const OURS: &[Line] = &[Line::EXHAUSTED, Line::KNOWN_PTR, Line::MARK_ARRIVAL, Line::LOOP_PTR, Line::TAKE];
+
 impl Line {
     /// Its place in [`LISTING`].
     #[must_use]

@@ -34,6 +34,18 @@ pub struct Erratum {
     pub places: &'static [Place],
 }
 
+impl Erratum {
+    /// What a source leaves open, and how the lab reads it.
+    pub(in crate::explorer) const fn open(
+        section: &'static str,
+        title: &'static str,
+        text: &'static str,
+        places: &'static [Place],
+    ) -> Self {
+        Self { section, title, text, printed: None, meant: None, kind: Kind::Open, places }
+    }
+}
+
 /// What a note is about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
@@ -69,6 +81,8 @@ pub enum Place {
     },
     /// A stop at which this line of another explorer's listing ran.
     Ran(u8),
+    /// A stop of this case of another explorer, when it is over.
+    Told(u8),
 }
 
 /// Which walk a trace is.
@@ -111,6 +125,7 @@ pub fn at_stop(
     let here = move |place: &Place| match *place {
         Place::SakibFigure2 { stop: there } => walk == Walk::SakibFigure2 && stop == there,
         Place::Ran(line) => said.lines().contains(&line),
+        Place::Told(case) => said.case() == case,
         // The book's.
         Place::Figure31 { .. } | Place::Figure24 { .. } | Place::Overflow => false,
         Place::Case(_) | Place::Line(_) => false,
@@ -135,7 +150,7 @@ impl Place {
             Self::Case(case) => (frame.case == Some(case), 2),
             Self::Line(line) => (frame.ran == Some(line), 3),
             // Not the book's.
-            Self::SakibFigure2 { .. } | Self::Ran(_) => return None,
+            Self::SakibFigure2 { .. } | Self::Ran(_) | Self::Told(_) => return None,
         };
         here.then_some(rank)
     }

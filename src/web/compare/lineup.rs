@@ -53,7 +53,7 @@ pub fn Choices(is_in: About, locked: About, change: impl Fn(Name, bool) + Copy +
         let about = name.about();
         view! {
             <li><label class="choice">
-                <input type="checkbox" value=about.name prop:checked=sig(move || is_in(name)) disabled=sig(move || locked(name))
+                <input type="checkbox" value=name.text() prop:checked=sig(move || is_in(name)) disabled=sig(move || locked(name))
                     on:change=event(move |event| change(name, event_target_checked(&event))) />
                 <span><b>{about.title}</b><span class="small">{about.idea}</span></span>
             </label></li>

@@ -7,14 +7,14 @@ use super::{Modal, Width};
 use crate::explorer::name::Setting;
 use crate::settings::{NODE_MAX, Order, Pace, Preference, Rule, Search, Settings};
 use crate::trace::MAX_NODES;
-use crate::web::others::choose::{ExplorerField, heeds};
+use crate::web::others::choose::ExplorerField;
 use crate::web::state::lab;
 
 /// The dialog; changes count at once.
 #[component]
 pub fn RunSettings() -> impl IntoView {
     let lab = lab();
-    let heeds = move |setting: Setting| heeds(lab.explorer.get(), setting);
+    let heeds = move |setting: Setting| lab.explorer.get().heeds(setting);
     view! {
         <Modal title="Settings of the run" width=Width::Narrow>
             <ExplorerField />

@@ -3,7 +3,7 @@
 
 use leptos::prelude::*;
 
-use crate::explorer::name::{About, Name, Setting};
+use crate::explorer::name::{About, Name};
 use crate::maze::samples::SAMPLES;
 use crate::web::app::go;
 use crate::web::erase::{event, mouse, part, sig};
@@ -66,6 +66,7 @@ fn about(about: &'static About) -> impl IntoView {
         <div class="about-explorer" id="about-explorer">
             <p>{about.idea}</p>
             <p><b>"What it cannot do: "</b>{about.cannot}</p>
+            <p class="reading">{crate::web::icons::pen()}<span><b>{about.reading.extent.words()}": "</b>{about.reading.text}</span></p>
             <p class="small">{about.source}</p>
             {sample.map(|sample| view! {
                 <div class="row">
@@ -78,10 +79,4 @@ fn about(about: &'static About) -> impl IntoView {
             })}
         </div>
     }
-}
-
-/// Whether an explorer heeds a setting.
-#[must_use]
-pub fn heeds(name: Name, setting: Setting) -> bool {
-    name.about().settings.contains(&setting)
 }
