@@ -14,6 +14,7 @@ pub mod book;
 pub mod cornell;
 pub mod depth_first;
 pub mod flood_fill;
+pub mod glossary;
 pub mod hand;
 pub mod mapping;
 pub mod mind;

@@ -142,10 +142,18 @@ fn others(maze: &Maze, name: Name, rule: Rule, walk: Walk) -> Vec<(u32, Vec<&'st
 #[test]
 fn the_mapping_papers_notes_stand_where_figure_3_errs() {
     let counts = vec!["Two counts of Explored"];
-    let expected = [(4, counts.clone()), (8, counts.clone()), (9, counts), (11, vec!["F lies in the south"])];
+    let both = vec![counts[0], "How far is near"];
+    let expected = [
+        (0, vec!["Which way first"]),
+        (4, both.clone()),
+        (8, both),
+        (9, counts),
+        (11, vec!["F lies in the south"]),
+    ];
     let maze = samples::SAKIB_2.maze();
     assert_eq!(others(&maze, Name::Mapping, Rule::Special1, Walk::SakibFigure2), expected);
-    assert!(others(&maze, Name::Mapping, Rule::Special1, Walk::Other).is_empty());
+    let elsewhere = others(&maze, Name::Mapping, Rule::Special1, Walk::Other);
+    assert!(elsewhere.iter().all(|(_, titles)| !titles.contains(&"F lies in the south")));
 }
 
 #[test]
@@ -156,7 +164,8 @@ fn the_path_mapping_articles_notes_stand_where_its_loop_runs_and_cuts() {
     assert_eq!(notes.iter().find(|(stop, _)| *stop == 5).unwrap().1, ["Path(0)"]);
     let cut = ["The loop has to count down", "Path(0)", "The wrong variable"];
     assert_eq!(notes.iter().find(|(stop, _)| *stop == 6).unwrap().1, cut);
-    assert!(others(&sample.maze(), Name::ParexRight, Rule::Basic, Walk::Other).is_empty());
+    let basic = others(&sample.maze(), Name::ParexRight, Rule::Basic, Walk::Other);
+    assert_eq!(basic, [(0, vec!["What wall following is"])], "the listing is that of special case 1");
 }
 
 #[test]
@@ -166,4 +175,17 @@ fn every_note_on_another_source_is_shown_somewhere() {
             assert!(!places.is_empty(), "{name}: {title} is shown at no stop");
         }
     }
+}
+
+#[test]
+fn what_cornell_leaves_open_is_told_where_the_third_searches() {
+    let sample = SAMPLES.iter().find(|sample| sample.file == "cornell-6x4").unwrap();
+    let notes = others(&sample.maze(), Name::Cornell3, Rule::Special1, Walk::Other);
+    // The spec: as the second up to stop 20, then a route to 1,3... and all is mapped after 31 moves.
+    let told = |stop| notes.iter().find(|(at, _)| *at == stop).map(|(_, titles)| titles.clone());
+    assert_eq!(told(31), Some(vec!["The third is described elsewhere"]));
+    let searches = notes.iter().filter(|(_, titles)| titles.contains(&"The third is described elsewhere"));
+    assert!(searches.count() >= 2, "where it searches and where it ends: {notes:?}");
+    let second = others(&sample.maze(), Name::Cornell2, Rule::Special1, Walk::Other);
+    assert!(second.iter().all(|(stop, _)| *stop == 0));
 }

@@ -4,7 +4,7 @@ mod names;
 mod split;
 
 pub use names::{GLOSSARY, SPELLINGS};
-pub use split::{Token, split};
+pub use split::{Token, pieces, split};
 
 /// A name and what it means.
 #[derive(Debug, PartialEq, Eq)]
@@ -25,6 +25,20 @@ pub struct Entry {
     pub section: &'static str,
 }
 
+impl Kind {
+    /// Whether a word is this name where it stands: `rest` is what follows it.
+    #[must_use]
+    pub fn stands(self, rest: &str) -> bool {
+        match self {
+            Self::Variable | Self::Field => !rest.starts_with('('),
+            Self::Array => rest.starts_with(['(', '[']),
+            Self::Function => rest.starts_with('('),
+            Self::Case => true,
+            Self::Term => false,
+        }
+    }
+}
+
 /// A name as it is written.
 #[derive(Debug, PartialEq, Eq)]
 pub struct Spelling {
@@ -43,18 +57,24 @@ pub enum Kind {
     Variable,
     /// A field of a node.
     Field,
-    /// A function.
+    /// An array: it counts as such before a bracket only.
+    Array,
+    /// A function: it counts as such before its bracket only.
     Function,
+    /// What a stop can be.
+    Case,
+    /// A word of the listing's plain sentences: no link there.
+    Term,
 }
 
 /// Whose a name is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Belongs {
-    /// The book's, and shown in the lab.
+    /// The source's, and shown in the lab.
     Shown,
     /// The physical robot's: its sensors, motors and line control.
     Robot,
-    /// Ours: the book does without it or leaves it unnamed.
+    /// Ours: the source does without it or leaves it unnamed.
     Ours,
 }
 

@@ -71,8 +71,7 @@ fn token(token: Token<'static>) -> impl IntoView {
         Token::Keyword(text) => view! { <b>{text}</b> }.into_any(),
         Token::Comment(text) => view! { <span class="comment">{text}</span> }.into_any(),
         Token::Text(text) => text.into_any(),
-        Token::Name(text, spelling) => {
-            let name = spelling.name;
+        Token::Name(text, name) => {
             view! { <button class="name" tabindex="-1" on:click=mouse(move |_| look_up(lab, name))>{text}</button> }
                 .into_any()
         }

@@ -1,14 +1,14 @@
 //! A line of the pseudo-code in pieces: what is bold, what is a link to the glossary, and the rest.
 
-use super::{Kind, SPELLINGS, Spelling};
+use super::SPELLINGS;
 
 /// A piece of a line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Token<'a> {
-    /// `if`, `else`, `return`, `not`, `true` or `false`.
+    /// `if`, `else`, `for`, `return`, `not`, `true` or `false`.
     Keyword(&'a str),
     /// A name, and how the glossary writes it.
-    Name(&'a str, &'static Spelling),
+    Name(&'a str, &'static str),
     /// From `#` to the end.
     Comment(&'a str),
     /// Everything else.
@@ -36,14 +36,28 @@ impl<'a> Token<'a> {
 /// assert_eq!(split(line).next(), Some(Token::Keyword("if")));
 /// ```
 pub fn split(line: &str) -> impl Iterator<Item = Token<'_>> {
-    Split { rest: line }
+    pieces(line, of_the_book)
 }
 
-struct Split<'a> {
+/// The same with the names of another glossary: what `known` makes of a word, given what follows it.
+pub fn pieces(
+    line: &str,
+    known: impl Fn(&str, &str) -> Option<&'static str>,
+) -> impl Iterator<Item = Token<'_>> {
+    Split { rest: line, known }
+}
+
+fn of_the_book(word: &str, rest: &str) -> Option<&'static str> {
+    let named = SPELLINGS.iter().find(|name| name.name == word || name.aliases.contains(&word))?;
+    named.kind.stands(rest).then_some(named.name)
+}
+
+struct Split<'a, F> {
     rest: &'a str,
+    known: F,
 }
 
-impl<'a> Iterator for Split<'a> {
+impl<'a, F: Fn(&str, &str) -> Option<&'static str>> Iterator for Split<'a, F> {
     type Item = Token<'a>;
 
     fn next(&mut self) -> Option<Token<'a>> {
@@ -52,7 +66,7 @@ impl<'a> Iterator for Split<'a> {
         while plain < line.len() {
             let (before, tail) = line.split_at(plain);
             let word = word(tail);
-            match token(tail, word) {
+            match token(tail, word, &self.known) {
                 Some(_) if plain > 0 => {
                     self.rest = tail;
                     return Some(Token::Text(before));
@@ -76,17 +90,16 @@ fn word(text: &str) -> &str {
 }
 
 /// What `tail` begins with, if it is more than plain text; `word` is its first word.
-fn token<'a>(tail: &'a str, word: &'a str) -> Option<Token<'a>> {
+fn token<'a>(
+    tail: &'a str,
+    word: &'a str,
+    known: impl Fn(&str, &str) -> Option<&'static str>,
+) -> Option<Token<'a>> {
     if tail.starts_with('#') {
         return Some(Token::Comment(tail));
     }
-    if matches!(word, "if" | "else" | "return" | "not" | "true" | "false") {
+    if matches!(word, "if" | "else" | "for" | "return" | "not" | "true" | "false") {
         return Some(Token::Keyword(word));
     }
-    let called = tail[word.len()..].starts_with('(');
-    let spelling = SPELLINGS
-        .iter()
-        .find(|spelling| spelling.name == word || spelling.aliases.contains(&word))
-        .filter(|spelling| (spelling.kind == Kind::Function) == called)?;
-    Some(Token::Name(word, spelling))
+    known(word, &tail[word.len()..]).map(|name| Token::Name(word, name))
 }
