@@ -44,7 +44,7 @@ impl Mark {
         (Self::DeadEnd, "dead end"),
         (Self::Known, "RETURN-KNOWN"),
         (Self::Unknown, "RETURN-UNKNOWN"),
-        (Self::End, "finish"),
+        (Self::End, "end"),
     ];
 }
 

@@ -14,6 +14,7 @@ pub mod forms;
 pub mod lab;
 pub mod tally;
 mod turn_list;
+pub mod words;
 
 pub use follow::Strayed;
 pub use turn_list::{Corners, NotATurn, TurnList};

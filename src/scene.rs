@@ -3,6 +3,7 @@
 
 use alloc::vec::Vec;
 
+use crate::explorer::book::narrate::{Span, narrate};
 use crate::geometry::{Heading, Point, Turn, Ways};
 use crate::ink::{Cell, CellState, Ink};
 use crate::maze::Maze;
@@ -90,6 +91,20 @@ pub fn nodes(trace: &Trace, ink: &Ink, moment: Moment) -> Vec<NodeMark> {
     let ptr = trace.frame(moment).state.ptr;
     let mark = |Row { number, met, .. }: Row| NodeMark { number, at: ink.place(met) };
     (1..ptr).filter_map(|m| trace.row(moment, m)).map(mark).collect()
+}
+
+/// The unvisited ways that the sentence of a moment lists, on the floor: the node's place, and the drawing's heading.
+#[must_use]
+pub fn listed_ways(trace: &Trace, ink: &Ink, moment: Moment) -> Vec<(Point, Heading)> {
+    let told = narrate(trace, &trace.frame(moment));
+    let place = |span: &Span| match *span {
+        Span::Way { node, heading } => {
+            let row = trace.row(moment, node)?;
+            Some((ink.place(row.met), heading.out_of_frame_of(ink.north())))
+        }
+        Span::Text(_) | Span::Strong(_) | Span::Code(_) | Span::Node(_) => None,
+    };
+    told.said.iter().filter_map(place).collect()
 }
 
 /// Where the bot is on the floor, in lattice units, and how it is turned.

@@ -23,6 +23,7 @@ pub mod code;
 pub mod errata;
 pub mod glossary;
 pub mod grid_store;
+pub mod locals;
 pub mod narrate;
 pub mod store;
 

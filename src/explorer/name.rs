@@ -8,6 +8,7 @@ use super::book::errata::Erratum;
 use super::tell::Case;
 
 mod abouts;
+mod off;
 
 /// An explorer.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]

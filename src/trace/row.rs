@@ -103,6 +103,19 @@ impl Trace {
         })
     }
 
+    /// Whether a node was recorded by the end of a stop.
+    #[must_use]
+    pub fn recorded_by(&self, stop: u32) -> bool {
+        // The first node of all is recorded at place 1.
+        !self.visits.until(&self.steps, 1, stop).is_empty()
+    }
+
+    /// Whether a node is recorded at place 1 after a stop: where the table is empty, the next that is recorded at all.
+    #[must_use]
+    pub fn records_after(&self, stop: u32) -> bool {
+        self.visits.until(&self.steps, 1, u32::MAX).last().is_some_and(|&visit| visit > stop)
+    }
+
     /// How a node that was known at a stop came to be known there; none where the stop was no known node.
     #[must_use]
     pub fn recognition(&self, stop: u32) -> Option<Recognition> {

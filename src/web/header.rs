@@ -6,6 +6,7 @@ use leptos::prelude::*;
 use super::icons;
 use super::state::{Dialog, Room, lab};
 use super::storage::Theme;
+use crate::explorer::name::Name;
 use crate::settings::Order;
 
 /// The head.
@@ -58,10 +59,29 @@ fn OrderButton() -> impl IntoView {
         Order::Fixed(preference) => preference.turns().map(|turn| turn.letter().to_string()).join(" → "),
         Order::Random(seed) => format!("random {seed}"),
     };
+    // What is set otherwise than usual and changes the run: the first of it here, all of it in the name.
+    let off = move || {
+        let explorer = if lab.by_the_book() { Name::Book } else { lab.explorer.get() };
+        lab.settings.with(|settings| explorer.off_defaults(settings))
+    };
+    let named = move || {
+        let off = off();
+        let book = if lab.by_the_book() { "Book · " } else { "" };
+        format!(
+            "Settings of the run: {book}{}{}",
+            order(),
+            off.iter().map(|off| format!(" · {off}")).collect::<String>()
+        )
+    };
+    let briefly = move || match off().as_slice() {
+        [] => String::new(),
+        [one] => format!(" · {one}"),
+        [first, rest @ ..] => format!(" · {first} +{}", rest.len()),
+    };
     view! {
-        <button class="btn" id="explorer" aria-label=sig(move || format!("Settings of the run: {}{}", if lab.by_the_book() { "Book · " } else { "" }, order())) title="Explorer, preference order, settings (O)" on:click=mouse(move |_| lab.dialog.set(Some(Dialog::Settings)))>
+        <button class="btn" id="explorer" aria-label=sig(named) title="Explorer, preference order, settings (O)" on:click=mouse(move |_| lab.dialog.set(Some(Dialog::Settings)))>
             {icons::settings()}
-            <span class="hide-s">{part(move || lab.by_the_book().then_some(view! { <span class="hide-l">"Book · "</span> }))}{order}</span>
+            <span class="hide-s">{part(move || lab.by_the_book().then_some(view! { <span class="hide-l">"Book · "</span> }))}{order}{briefly}</span>
         </button>
     }
 }

@@ -6,7 +6,7 @@ use leptos::prelude::*;
 use super::state::{Dialog, Lab, Room, Round, lab};
 use crate::maze::Kind;
 
-mod code;
+pub mod code;
 mod errata;
 pub mod now;
 pub mod result;
@@ -131,6 +131,13 @@ fn Legend() -> impl IntoView {
                     <path class="remembered" d="M8 14h36" />
                 </svg>
                 "remembered"
+            </span>
+            <span>
+                <svg class="maze" width="26" height="14" viewBox="0 0 52 28">
+                    <path class="tape" d="M8 14h36" />
+                    <path class="given-up" d="M8 14h36" />
+                </svg>
+                "given up"
             </span>
             <span>
                 <svg class="maze" width="26" height="14" viewBox="0 0 52 28">

@@ -11,6 +11,7 @@ use crate::event::Outcome;
 use crate::geometry::Heading;
 use crate::trace::{Frame, Trace};
 
+pub mod empty;
 mod end;
 mod line;
 mod said;

@@ -5,8 +5,9 @@ use leptos::html;
 use leptos::prelude::*;
 
 use super::look_up;
-use crate::explorer::book::code::{LISTING, Listed};
+use crate::explorer::book::code::{LISTING, Listed, OURS};
 use crate::explorer::book::glossary::{Token, split};
+use crate::web::icons;
 use crate::web::state::{Dialog, lab};
 
 /// The card.
@@ -36,7 +37,7 @@ pub fn CodeCard() -> impl IntoView {
         view! {
             <li class:ran=sig(move || is(ran)) class:next=sig(move || is(next)) aria-current=sig(move || is(ran).then_some("step"))>
                 <span class="ln">{listed.label}</span>
-                <span class=indent(listed.text)>{split(listed.text).map(token).collect_view()}</span>
+                <span class=indent(listed.text)>{split(listed.text).map(token).collect_view()}{OURS.iter().any(|line| line.index() == index).then(pen)}</span>
                 <span class="tag">{part(move || if is(ran) { "ran" } else if is(next) { "next" } else { "" })}</span>
             </li>
         }
@@ -51,6 +52,7 @@ pub fn CodeCard() -> impl IntoView {
             <ol class="code" node_ref=list tabindex="0" aria-labelledby="code-title">
                 {LISTING.iter().enumerate().map(row).collect_view()}
             </ol>
+            <p class="reading">{icons::pen()}<span>"the lab’s reading: the book leaves these lines open, and its pseudo-code unwritten (§3.3)"</span></p>
         </section>
     }
 }
@@ -65,7 +67,13 @@ fn indent(text: &str) -> &'static str {
     }
 }
 
-fn token(token: Token<'static>) -> impl IntoView {
+/// The mark of a line that is the lab's reading.
+pub fn pen() -> AnyView {
+    view! { <span class="ours" title="the lab’s reading">{icons::pen()}<span class="vh">" (the lab’s reading)"</span></span> }.into_any()
+}
+
+/// A piece of a line; names lead to the glossary.
+pub fn token(token: Token<'static>) -> impl IntoView {
     let lab = lab();
     match token {
         Token::Keyword(text) => view! { <b>{text}</b> }.into_any(),

@@ -5,8 +5,11 @@ use leptos::prelude::*;
 
 use super::result::ResultCard;
 use super::{errata, look_up};
+use crate::explorer::book::locals::{Locals, locals};
 use crate::explorer::book::narrate::{Narration, Span, Tone, narrate};
-use crate::geometry::Turn;
+use crate::geometry::{Heading, Turn};
+use crate::playback::Unit;
+use crate::route::words;
 use crate::trace::{Frame, State};
 use crate::web::state::{Lab, Round, lab};
 
@@ -88,31 +91,11 @@ pub fn SaidSolved() -> impl IntoView {
     part(move || {
         let stop = lab.solved.with(|playback| playback.moment().stop);
         let told = lab.shown(|run| {
-            let drive = run.drive()?;
-            let list = drive.route.legs.iter().filter(|leg| leg.letter.is_some()).count();
-            let (case, class, text) = match drive.route.leg(stop) {
-                None => ("ROUND 2", "case info", format!("The bot is back at the start and knows its turn list of {list} letters. It explores nothing now.")),
-                Some(leg) => match (leg.turn, leg.letter) {
-                    (None, _) => ("FINISH", "case go", format!("There: {} cells, no U-turn, no dead end.", drive.route.cells())),
-                    (Some(turn), Some(letter)) => {
-                        ("TURN LIST", "case", format!("Node: letter {letter} of {list} is {}, so the bot {}.", turn.letter(), goes(turn)))
-                    }
-                    (Some(turn), None) => ("CORNER", "case info", format!("A corner needs no letter: the bot {}.", goes(turn))),
-                },
-            };
-            Some(view! { <span class=class>{case}</span> <p>{text}</p> })
+            let told = words::told(&run.drive()?.route, run.list()?.turns().len(), stop);
+            Some(view! { <span class=tone(told.tone)>{told.case}</span> <p>{told.text}</p> })
         });
         told.flatten()
     })
-}
-
-const fn goes(turn: Turn) -> &'static str {
-    match turn {
-        Turn::Straight => "goes straight on",
-        Turn::Right => "turns right",
-        Turn::Left => "turns left",
-        Turn::Back => "turns round",
-    }
 }
 
 /// The card.
@@ -146,6 +129,31 @@ struct Var {
 fn var<T: PartialEq + ToString>(name: &'static str, frame: &Frame, of: impl Fn(&State) -> T) -> Var {
     let (now, before) = (of(&frame.state), of(&frame.before));
     Var { name, value: now.to_string(), changed: now != before }
+}
+
+/// What the functions that run hold.
+fn locals_of(lab: Lab, frame: &Frame) -> Vec<Var> {
+    if lab.playing().with(|playback| playback.unit()) != Unit::Line {
+        return Vec::new();
+    }
+    let step = lab.run.with(|run| run.as_ref().ok().and_then(|run| run.trace.step(frame.moment.stop)));
+    let Locals { m, d, arrival, m_set, d_set } =
+        step.map_or_else(Locals::default, |step| locals(frame, step));
+    let direction = |name, heading: Option<Heading>, changed| {
+        heading.map(|heading| Var {
+            name,
+            value: format!("{} {}", heading.index(), heading.letter()),
+            changed,
+        })
+    };
+    [
+        m.map(|m| Var { name: "m", value: m.to_string(), changed: m_set }),
+        direction("d", d, d_set),
+        direction("arrival", arrival, false),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
 }
 
 /// The variables that matter most.
@@ -199,6 +207,9 @@ fn Variables() -> impl IntoView {
     let more = RwSignal::new(false);
     view! {
         <div class="vars" aria-label="Variables" role="group">
+            {part(move || lab.frame.with(|frame| {
+                frame.as_ref().map(|frame| locals_of(lab, frame)).unwrap_or_default().into_iter().map(chip).collect_view()
+            }))}
             {part(move || chips(first))}
             {part(move || more.get().then(|| chips(further)))}
             <button class="var more" aria-expanded=sig(move || more.get().to_string()) on:click=mouse(move |_| more.update(|on| *on = !*on))>

@@ -94,7 +94,7 @@ pub fn Letters() -> impl IntoView {
                 {letters
                     .into_iter()
                     .zip(1usize..)
-                    .map(|(letter, i)| view! { <li class:lit=sig(move || used() == Some(i))><b>{letter}</b><span>{format!("node {i}")}</span></li> })
+                    .map(|(letter, i)| view! { <li class:lit=sig(move || used() == Some(i))><b>{letter}</b><span>{if lab.by_the_book() { format!("node {i}") } else { i.to_string() }}</span></li> })
                     .collect_view()}
             </ol>
         }

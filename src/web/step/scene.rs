@@ -63,6 +63,10 @@ pub fn Stage() -> impl IntoView {
                 // Under the nodes, so that their numbers stay readable: nose and wheels look out.
                 <Bot pose=Signal::derive(move || pose(lab)) pixel=Signal::derive(move || camera.pixel()) />
                 <Nodes camera=camera />
+                {part(move || (lab.round.get() == Round::Explore).then(|| {
+                    let ways = Memo::new(move |_| open_ways(lab));
+                    view! { <path class="open-way-halo" d=sig(move || ways.get()) /><path class="open-way" d=sig(move || ways.get()) /> }
+                }))}
                 {part(move || differs(lab))}
             </svg>
     };
@@ -236,6 +240,28 @@ fn Driving() -> impl IntoView {
             d=sig(move || path.with(|path| path.0.clone()))
         />
     }
+}
+
+/// The unvisited ways that the sentence lists: an arrow out of its node each, no longer than what the robot sees.
+fn open_ways(lab: Lab) -> String {
+    let moment = lab.moment.get();
+    let mut data = String::new();
+    for (at, heading) in with_run(lab, |run| scene::listed_ways(&run.trace, &run.ink, moment)) {
+        let (dx, dy) = heading.vector();
+        let (x, y) = (at.x * UNIT, -at.y * UNIT);
+        // Two chevrons, one behind the other.
+        for tip in [28, 38] {
+            let (tx, ty) = (x + dx * tip, y - dy * tip);
+            data.push_str(&format!(
+                "M{} {}L{tx} {ty}L{} {}",
+                tx - dx * 9 - dy * 9,
+                ty + dy * 9 - dx * 9,
+                tx - dx * 9 + dy * 9,
+                ty + dy * 9 + dx * 9
+            ));
+        }
+    }
+    data
 }
 
 /// Where robot and page decided differently for the first time: a dashed ring and ≠.

@@ -7,6 +7,7 @@ use leptos::html;
 use leptos::prelude::*;
 
 use super::look_up;
+use crate::explorer::book::narrate::empty::empty_table;
 use crate::geometry::Heading;
 use crate::playback::{Command, Mark};
 use crate::trace::{Frame, Moment, Row, WayState};
@@ -204,15 +205,24 @@ fn Term(name: &'static str) -> impl IntoView {
     view! { <button class="name" on:click=mouse(move |_| look_up(lab, name))>{name}</button> }
 }
 
-/// Nothing remembered yet.
+/// Nothing remembered: no node met yet, or none left.
 #[component]
 fn NoNode() -> impl IntoView {
     let lab = lab();
-    view! {
+    let empty = move || {
+        lab.run.with(|run| {
+            let run = run.as_ref().ok()?;
+            lab.frame.with(|frame| Some(empty_table(&run.trace, frame.as_ref()?)))
+        })
+    };
+    let empty = Memo::new(move |_| empty());
+    part(move || {
+        empty.get().map(|empty| view! {
         <div class="blank">
-            <p><b>"No node yet"</b></p>
-            <p class="small">"The bot has met no fork. Step on to the first one."</p>
-            <button class="btn" on:click=mouse(move |_| lab.play(Command::NextEvent(Some(Mark::Node))))>"Next node"</button>
+            <p><b>{empty.title}</b></p>
+            <p class="small">{empty.text}</p>
+            {empty.more.then(|| view! { <button class="btn" on:click=mouse(move |_| lab.play(Command::NextEvent(Some(Mark::Node))))>"Next node"</button> })}
         </div>
-    }
+    })
+    })
 }
