@@ -9,6 +9,7 @@ use super::state::{Dialog, ToastAction, ToastTone, lab};
 use super::{browser, icons};
 
 mod books;
+mod glossary;
 pub mod settings;
 mod share;
 
@@ -43,8 +44,8 @@ lazy! { dialogs;
     fn opened(dialog: Dialog) -> AnyView {
         match dialog {
             Dialog::Keys => view! { <books::Keys /> }.into_any(),
-            Dialog::Glossary(name) => view! { <books::Glossary at=name /> }.into_any(),
-            Dialog::Errata => view! { <books::Errata /> }.into_any(),
+            Dialog::Glossary(name) => view! { <glossary::Glossary at=name /> }.into_any(),
+            Dialog::Errata => view! { <glossary::Errata /> }.into_any(),
             Dialog::Share => view! { <share::Share /> }.into_any(),
             // The rooms' own, and the explorers'.
             Dialog::Settings

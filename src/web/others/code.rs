@@ -4,7 +4,11 @@ use leptos::html;
 use leptos::prelude::*;
 
 use super::Watched;
-use crate::web::erase::{part, sig};
+use crate::explorer::glossary;
+use crate::web::erase::{mouse, part, sig};
+use crate::web::icons;
+use crate::web::state::{Dialog, lab};
+use crate::web::step::code::{pen, token};
 
 /// The card.
 pub fn card(watched: Watched) -> AnyView {
@@ -28,16 +32,24 @@ pub fn card(watched: Watched) -> AnyView {
             }
         });
     });
+    let lab = lab();
+    let whose = Memo::new(move |_| watched.of(|run| (run.recording.name(), run.about().ours)));
+    let reading = Memo::new(move |_| {
+        let reading = whose.get().0.about().reading;
+        format!("{}: {}", reading.extent.words(), reading.text)
+    });
     let row = move |(line, text): (u8, &'static str)| {
         let is_last = move || last() == Some(line);
         let is_next = move || lines.with(|(_, next)| *next == Some(line));
         let did = move || lines.with(|(ran, _)| ran.contains(&line));
-        let (code, comment) =
-            text.split_once('#').map_or((text, None), |(code, comment)| (code, Some(comment)));
+        let (explorer, ours) = whose.get_untracked();
         view! {
             <li class:ran=sig(is_last) class:next=sig(is_next) class:did=sig(did) aria-current=sig(move || is_last().then_some("step"))>
                 <span class="ln">{line + 1}</span>
-                <span class=indent(text)>{code.trim()}{comment.map(|comment| view! { <span class="comment">{format!("  #{comment}")}</span> })}</span>
+                <span class=indent(text)>
+                    {glossary::split(explorer, text.trim_start()).map(token).collect_view()}
+                    {ours.get(usize::from(line)).is_some_and(|ours| *ours).then(pen)}
+                </span>
                 <span class="tag">{part(move || if is_last() { "ran" } else if is_next() { "next" } else { "" })}</span>
             </li>
         }
@@ -45,10 +57,15 @@ pub fn card(watched: Watched) -> AnyView {
     let listing = Memo::new(move |_| watched.of(|run| run.about().listing));
     view! {
         <section class="card fill code-card" aria-labelledby="code-title">
-            <h2 id="code-title">"The algorithm"</h2>
+            <h2 id="code-title">
+                "The algorithm"
+                <span class="spacer"></span>
+                <button class="btn quiet" on:click=mouse(move |_| lab.dialog.set(Some(Dialog::Glossary(None))))>"Glossary (G)"</button>
+            </h2>
             <ol class="code" node_ref=list tabindex="0" aria-labelledby="code-title">
                 {part(move || (0u8..).zip(listing.get().iter().copied()).map(row).collect_view())}
             </ol>
+            <p class="reading">{icons::pen()}<span>{part(move || reading.get())}</span></p>
         </section>
     }
     .into_any()

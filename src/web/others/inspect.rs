@@ -9,12 +9,15 @@ use leptos::prelude::*;
 use super::Watched;
 use super::run::{At, OtherRun};
 use crate::explorer::mind::Mind;
-use crate::web::erase::{part, sig};
+use crate::web::erase::{mouse, part, sig};
+use crate::web::state::lab;
+use crate::web::step::look_up;
 
 mod bytes;
 mod columns;
 mod flood;
 mod letters;
+mod links;
 mod marks;
 mod path;
 mod stack;
@@ -27,6 +30,7 @@ const SHOWN: usize = 60;
 pub fn card(watched: Watched) -> AnyView {
     let mapped =
         Memo::new(move |_| watched.at(|run, at| at.is_end(run) && matches!(at.mind, Mind::Mapping(_))));
+    let lab = lab();
     let body = NodeRef::<html::Div>::new();
     // The newest column stays in sight without moving the page.
     Effect::new(move |_| {
@@ -44,7 +48,12 @@ pub fn card(watched: Watched) -> AnyView {
     view! {
         <section class="card inspector" aria-labelledby="inspector-title">
             <h2 id="inspector-title">{part(move || watched.at(|_, at| title(&at.mind)))}</h2>
-            <div class="insp" id="inspector" node_ref=body tabindex="0" role="region" aria-labelledby="inspector-title" inner_html=sig(move || watched.at(markup))></div>
+            <div class="insp" id="inspector" node_ref=body tabindex="0" role="region" aria-labelledby="inspector-title" inner_html=sig(move || watched.at(|run, at| links::linked(run.recording.name(), &markup(run, at))))
+                on:click=mouse(move |event| {
+                    if let Some(name) = links::clicked(watched.of(|run| run.recording.name()), &event) {
+                        look_up(lab, name);
+                    }
+                })></div>
             {part(move || mapped.get().then(|| super::search::panel(watched)))}
         </section>
     }

@@ -56,7 +56,7 @@ fn errata(watched: Watched) -> AnyView {
     });
     let open = RwSignal::new(false);
     let told = move || match here.get().as_slice() {
-        [] => "Where the source slips".to_owned(),
+        [] => "Where the source slips or is silent".to_owned(),
         titles => titles.join(" · "),
     };
     part(move || {

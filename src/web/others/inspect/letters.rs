@@ -19,7 +19,7 @@ pub fn markup(now: &Hand, before: Option<&Hand>, decision: Decision) -> String {
     row(&mut markup, "path[n]", shown().map(|(i, turn)| (class(i), turn.letter().to_string())));
     markup.push_str("</table>");
     if now.path().is_empty() {
-        markup.push_str("<p class=\"small\">No letter yet: the first node gives one.</p>");
+        markup.push_str("<p class=\"small\">No letter yet: the first node or dead end gives one.</p>");
     }
     let added = match decision {
         Decision::Go(turn) => turn,

@@ -26,7 +26,7 @@ pub fn markup(mind: &Sums) -> String {
     row(&mut markup, "turn", shown().map(|(i, sum)| (class(i), turn(sum).letter().to_string())));
     markup.push_str("</table>");
     if mind.a().is_empty() {
-        markup.push_str("<p class=\"small\">No junction yet: the first one gives a[1].</p>");
+        markup.push_str("<p class=\"small\">No junction on the way here: the next one gives a[1].</p>");
     } else if mind.a().len() as i32 > j.max(0) {
         markup.push_str(
             "<p class=\"small\">Hatched: its junction is met again on the way back, and the sum goes on.</p>",
