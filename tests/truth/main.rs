@@ -6,4 +6,5 @@
 mod support;
 
 mod facing;
+mod moments;
 mod sentences;
