@@ -5,10 +5,9 @@ use leptos::prelude::*;
 
 use super::Watched;
 use crate::explorer::glossary;
-use crate::web::erase::{mouse, part, sig};
-use crate::web::icons;
-use crate::web::state::{Dialog, lab};
-use crate::web::step::code::{pen, token};
+use crate::web::erase::{part, sig};
+use crate::web::state::lab;
+use crate::web::step::code::{books, pen, token};
 
 /// The card.
 pub fn card(watched: Watched) -> AnyView {
@@ -34,10 +33,6 @@ pub fn card(watched: Watched) -> AnyView {
     });
     let lab = lab();
     let whose = Memo::new(move |_| watched.of(|run| (run.recording.name(), run.about().ours)));
-    let reading = Memo::new(move |_| {
-        let reading = whose.get().0.about().reading;
-        format!("{}: {}", reading.extent.words(), reading.text)
-    });
     let row = move |(line, text): (u8, &'static str)| {
         let is_last = move || last() == Some(line);
         let is_next = move || lines.with(|(_, next)| *next == Some(line));
@@ -60,12 +55,11 @@ pub fn card(watched: Watched) -> AnyView {
             <h2 id="code-title">
                 "The algorithm"
                 <span class="spacer"></span>
-                <button class="btn quiet" on:click=mouse(move |_| lab.dialog.set(Some(Dialog::Glossary(None))))>"Glossary (G)"</button>
+                {books(lab)}
             </h2>
             <ol class="code" node_ref=list tabindex="0" aria-labelledby="code-title">
                 {part(move || (0u8..).zip(listing.get().iter().copied()).map(row).collect_view())}
             </ol>
-            <p class="reading">{icons::pen()}<span>{part(move || reading.get())}</span></p>
         </section>
     }
     .into_any()

@@ -8,7 +8,7 @@ use super::look_up;
 use crate::explorer::book::code::{LISTING, Listed, OURS};
 use crate::explorer::book::glossary::{Token, split};
 use crate::web::icons;
-use crate::web::state::{Dialog, lab};
+use crate::web::state::{Dialog, Lab, lab};
 
 /// The card.
 #[component]
@@ -47,12 +47,11 @@ pub fn CodeCard() -> impl IntoView {
             <h2 id="code-title">
                 "The algorithm"
                 <span class="spacer"></span>
-                <button class="btn quiet" on:click=mouse(move |_| lab.dialog.set(Some(Dialog::Glossary(None))))>"Glossary (G)"</button>
+                {books(lab)}
             </h2>
             <ol class="code" node_ref=list tabindex="0" aria-labelledby="code-title">
                 {LISTING.iter().enumerate().map(row).collect_view()}
             </ol>
-            <p class="reading">{icons::pen()}<span>"the lab’s reading: the book leaves these lines open, and its pseudo-code unwritten (§3.3)"</span></p>
         </section>
     }
 }
@@ -65,6 +64,17 @@ fn indent(text: &str) -> &'static str {
         2 => "in-2",
         _ => "in-3",
     }
+}
+
+/// The ways to what is to be read about the listing: what of it is the lab's, and the names.
+pub fn books(lab: Lab) -> AnyView {
+    view! {
+        <button class="btn quiet" title="What of this is the lab’s reading, and where the source slips" on:click=mouse(move |_| lab.dialog.set(Some(Dialog::Errata)))>
+            {icons::pen()}"lab’s reading"
+        </button>
+        <button class="btn quiet" on:click=mouse(move |_| lab.dialog.set(Some(Dialog::Glossary(None))))>"Glossary (G)"</button>
+    }
+    .into_any()
 }
 
 /// The mark of a line that is the lab's reading.

@@ -133,7 +133,9 @@ fn var<T: PartialEq + ToString>(name: &'static str, frame: &Frame, of: impl Fn(&
 
 /// What the functions that run hold.
 fn locals_of(lab: Lab, frame: &Frame) -> Vec<Var> {
-    if lab.playing().with(|playback| playback.unit()) != Unit::Line {
+    // Where a step is a stop, no function runs any more.
+    let by_lines = lab.playing().with(|playback| playback.unit()) == Unit::Line;
+    if frame.moment.lines == frame.lines && !by_lines {
         return Vec::new();
     }
     let step = lab.run.with(|run| run.as_ref().ok().and_then(|run| run.trace.step(frame.moment.stop)));
