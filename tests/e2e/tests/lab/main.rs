@@ -17,4 +17,5 @@ mod serial;
 mod share;
 mod step;
 mod trouble;
+mod truth;
 mod walls;
