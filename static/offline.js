@@ -1,6 +1,7 @@
 // Works without a network after the first visit. Tells the app by events when a newer page waits:
 //   linemaze:update-ready   from here: there is a newer page; the old one stays until a person wants the new one
 //   linemaze:update-now     to here: a person wants it
+//   linemaze:started        to here, from index.html: the program runs
 // `data-offline="ready"` on the root element says that everything is kept.
 "use strict";
 (() => {
@@ -40,5 +41,5 @@
 
   // Keeping a copy is a comfort: a browser that refuses, as private windows do, shows the page all the same. It
   // begins when the page is there, so as not to hold it up.
-  addEventListener("TrunkApplicationStarted", () => start().catch(() => {}), { once: true });
+  addEventListener("linemaze:started", () => start().catch(() => {}), { once: true });
 })();

@@ -55,7 +55,7 @@ fn Bench() -> impl IntoView {
             <section class="card">
                 <h2>"Benches in this browser"</h2>
                 <div class="pad stack">
-                    <p class="small">"The median of five. Only a release build says anything: trunk build --release."</p>
+                    <p class="small">"The median of five. Only a release build says anything: cargo xtask serve --release."</p>
                     <div class="row"><button class="btn primary" disabled=sig(move || running.get()) on:click=mouse(begin)>"Run"</button></div>
                     <table><thead><tr><th scope="col">"What"</th><th scope="col" class="num">"Took"</th><th scope="col">"Budget"</th></tr></thead>
                         <tbody id="benches">{part(move || lines.get().into_iter().map(row).collect_view())}</tbody></table>

@@ -10,7 +10,7 @@ use crate::browser;
 use crate::dist;
 use crate::shell::{Shell, line, run, watch};
 use crate::summary::{Counts, worth_showing};
-use crate::tools::{self, BOARD, WASM};
+use crate::tools::{self, BOARD, WASM, say};
 
 const AXE_CORE: &str = "4.14.1";
 
@@ -57,8 +57,9 @@ pub(crate) fn board(shell: &Shell) -> Result<Counts> {
 /// The tests that need what only a browser has.
 pub(crate) fn wasm(shell: &Shell) -> Result<Counts> {
     tools::target(shell, WASM)?;
-    tools::wasm_bindgen(shell)?;
     let browser = browser::browser(shell)?;
+    say("Compiling the runner of these tests (the first time half a minute)");
+    run(shell.cargo().args(["build", "--package", "wasm-runner"]))?;
     let temporary = Temporary::new(shell, "wasm")?;
     let mut command = shell.cargo();
     command.args([

@@ -3,23 +3,30 @@
 mod browser;
 mod budget;
 mod checks;
+mod compile;
 mod csp;
 mod dist;
 mod fuzz;
+mod join;
 mod layers;
 mod offline;
+mod page;
 mod port;
 mod serve;
+mod server;
 mod shell;
 mod split;
 mod summary;
 mod tools;
+mod watch;
 
 use std::process::ExitCode;
 
 use anyhow::{Context, Result, bail};
 use lexopt::{Arg, Parser, ValueExt};
 
+use crate::compile::Kind;
+use crate::layers::Layer;
 use crate::shell::Shell;
 
 const HELP: &str = "\
@@ -39,10 +46,11 @@ The chores of Line Maze Lab. Each installs what it needs and says what it does.
                          e2e      a real browser uses the published page
 
   cargo xtask ci       what the project's checks run: format, lints, documentation, then every layer
+  cargo xtask page     the page as serve shows it, once, in target/page/
   cargo xtask dist     make dist/, a folder for any static web server, at any address
   cargo xtask speed    measure the page in a real browser: a step, a scrub, opening a large maze
 
-The first time takes some minutes, to compile the tools; later nothing is installed again.
+What is downloaded or compiled the first time is kept; README.md says what that is.
 ";
 
 fn main() -> ExitCode {
@@ -69,14 +77,14 @@ fn run(mut args: Parser) -> Result<ExitCode> {
     match chore.as_str() {
         "serve" => serve::serve(&shell, &serve_options(args)?),
         "test" => layers::test(&shell, &layers::chosen(&values(args)?)?),
-        "ci" => no_more(args).and_then(|()| layers::test(&shell, &layers::Layer::ALL)),
+        "ci" => no_more(args).and_then(|()| layers::test(&shell, &Layer::ALL)),
         "speed" => no_more(args).and_then(|()| checks::speed(&shell)).map(|()| ExitCode::SUCCESS),
         "dist" => no_more(args).and_then(|()| dist::dist(&shell)).map(|()| ExitCode::SUCCESS),
         "help" => {
             print!("{HELP}");
             Ok(ExitCode::SUCCESS)
         }
-        serve::ANNOUNCE => serve::announce(&values(args)?),
+        "page" => no_more(args).and_then(|()| serve::page(&shell)).map(|()| ExitCode::SUCCESS),
         other => bail!("there's no chore “{other}”; `cargo xtask` alone lists them"),
     }
 }
@@ -89,7 +97,7 @@ fn serve_options(mut args: Parser) -> Result<serve::Options> {
                 let port: u16 = args.value()?.parse().context("--port wants a number from 1 to 65535")?;
                 options.port = Some(port);
             }
-            Arg::Long("release") => options.release = true,
+            Arg::Long("release") => options.kind = Kind::Release,
             other => return Err(other.unexpected().into()),
         }
     }

@@ -1,30 +1,28 @@
 //! The service worker's list of files and its version: a hash over all of them.
 
 use std::fmt::Write;
-use std::fs;
-use std::path::Path;
 
-use anyhow::{Context, Result, ensure};
+use anyhow::{Result, ensure};
 use sha2::{Digest, Sha256};
 
-use crate::dist;
+use crate::page::Page;
 
 const WORKER: &str = "sw.js";
 const VERSION: &str = "const VERSION = \"\";";
 const FILES: &str = "const FILES = [];";
 
-/// Fills in `dist/sw.js`; the empty template is what `serve` gives out.
-pub(crate) fn fill_in(folder: &Path) -> Result<()> {
-    let files = dist::files(folder)?;
-    let template = fs::read_to_string(folder.join(WORKER)).context("the page has no sw.js")?;
-    fs::write(folder.join(WORKER), worker(&template, &files)?).context("writing dist/sw.js")
+/// Fills in the page's `sw.js`; the empty template is what `serve` gives out.
+pub(crate) fn fill_in(page: &mut Page) -> Result<()> {
+    let filled = worker(page.text(WORKER)?, page)?;
+    page.edit(WORKER, |_| Ok(filled))
 }
 
-fn worker(template: &str, files: &[(String, Vec<u8>)]) -> Result<String> {
+fn worker(template: &str, page: &Page) -> Result<String> {
     ensure!(template.contains(VERSION) && template.contains(FILES), "sw.js lost its two places to fill in");
-    let addresses: Vec<&str> = files.iter().map(|(address, _)| &**address).filter(|a| *a != WORKER).collect();
+    let addresses: Vec<&str> =
+        page.0.keys().map(String::as_str).filter(|address| *address != WORKER).collect();
     let list = serde_json::to_string_pretty(&addresses)?;
-    Ok(template.replacen(VERSION, &format!("const VERSION = \"{}\";", version(files)), 1).replacen(
+    Ok(template.replacen(VERSION, &format!("const VERSION = \"{}\";", version(page)), 1).replacen(
         FILES,
         &format!("const FILES = {list};"),
         1,
@@ -32,9 +30,9 @@ fn worker(template: &str, files: &[(String, Vec<u8>)]) -> Result<String> {
 }
 
 /// Sixteen digits that change when any file's name or content does.
-fn version(files: &[(String, Vec<u8>)]) -> String {
+fn version(page: &Page) -> String {
     let mut hash = Sha256::new();
-    for (address, content) in files {
+    for (address, content) in &page.0 {
         hash.update(Sha256::digest(address));
         hash.update(Sha256::digest(content));
     }
@@ -48,8 +46,8 @@ fn version(files: &[(String, Vec<u8>)]) -> String {
 mod tests {
     use super::*;
 
-    fn files(pairs: &[(&str, &str)]) -> Vec<(String, Vec<u8>)> {
-        pairs.iter().map(|(address, content)| ((*address).into(), (*content).into())).collect()
+    fn files(pairs: &[(&str, &str)]) -> Page {
+        Page(pairs.iter().map(|(address, content)| ((*address).into(), (*content).into())).collect())
     }
 
     #[test]
@@ -74,6 +72,6 @@ mod tests {
 
     #[test]
     fn a_template_without_its_places_is_an_error() {
-        assert!(worker("const FILES = [];", &[]).is_err());
+        assert!(worker("const FILES = [];", &Page::default()).is_err());
     }
 }

@@ -34,6 +34,12 @@ impl Shell {
         self.root.join("target/tools")
     }
 
+    /// Where cargo builds, and what this project builds goes too.
+    pub(crate) fn target(&self) -> PathBuf {
+        env::var_os("CARGO_TARGET_DIR")
+            .map_or_else(|| self.root.join("target"), |target| self.root.join(target))
+    }
+
     pub(crate) fn cargo(&self) -> Command {
         self.command(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
     }
@@ -100,6 +106,16 @@ pub(crate) fn run_quietly(command: &mut Command) -> Result<()> {
         bail!("{} failed ({})\n{}", line(command), output.status, String::from_utf8_lossy(&output.stderr));
     }
     Ok(())
+}
+
+/// Like [`run`], but gives back what the command prints.
+pub(crate) fn printed(command: &mut Command) -> Result<String> {
+    command.stderr(Stdio::inherit());
+    let output = command.output().with_context(|| format!("could not start {}", name(command)))?;
+    if !output.status.success() {
+        bail!("{} failed ({})", line(command), output.status);
+    }
+    Ok(String::from_utf8_lossy(&output.stdout).into_owned())
 }
 
 /// Like [`run`], but ends the command when it takes longer than `limit`.

@@ -1,80 +1,68 @@
-//! Splits the wasm at its lazy functions: a first visit loads the main part, the others follow when they are
-//! needed. Trunk can't do it, so this takes its place between cargo and wasm-bindgen.
+//! Splits the program at its lazy functions: a first visit loads the main part, the others follow when they are
+//! needed.
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 use std::sync::{Mutex, PoisonError};
 
-use anyhow::{Context, Result, anyhow};
-use sha2::{Digest, Sha256};
+use anyhow::{Context, Result, anyhow, ensure};
 
-use crate::shell::{Shell, run, run_quietly};
-use crate::tools::{WASM, say};
+use crate::join::{Exports, Program, join};
+use crate::page::hash;
+use crate::shell::{Shell, printed, run_quietly};
 
-const NAME: &str = "line-maze-lab";
+/// How the splitter's loader starts a part.
+const STREAMING: &str = "WebAssembly.instantiateStreaming(src, imports)";
+/// How ours does: also from a server that does not call wasm by its name, as the main part can too.
+const ANYHOW: &str = "instantiate(src, imports)";
+const INSTANTIATE: &str = include_str!("instantiate.js");
 
-/// What the compiler has to know for it; added to the flags of `.cargo/config.toml`.
-pub(crate) fn rustflags(shell: &Shell) -> String {
-    let mut flags = "--cfg split -Clink-arg=--emit-relocs".to_owned();
-    // The places of panics are in the wasm: no need to tell everybody where this computer keeps its files.
-    let homes = [("CARGO_HOME", ".cargo"), ("RUSTUP_HOME", ".rustup")].map(|(variable, folder)| {
-        std::env::var(variable).ok().or_else(|| Some(format!("{}/{folder}", std::env::var("HOME").ok()?)))
-    });
-    let sources = homes.into_iter().flatten().chain([shell.root.to_string_lossy().into_owned()]);
-    for source in sources.filter(|source| !source.contains(char::is_whitespace)) {
-        flags += &format!(" --remap-path-prefix={source}=");
-    }
-    flags
-}
-
-/// Puts the parts in the place of the one wasm that trunk left in `folder`.
-pub(crate) fn split(shell: &Shell, folder: &Path) -> Result<()> {
-    say("Splitting the wasm into what a first visit needs, and the rest");
-    let work = target(shell).join("split");
+/// The program in parts, out of the one wasm that cargo left.
+pub(crate) fn split(shell: &Shell, whole: &Path) -> Result<Program> {
+    let work = shell.target().join("split");
     let _ = fs::remove_dir_all(&work);
     fs::create_dir_all(&work)?;
-    let page = page_name(folder)?;
-    let parts = format!("./{page}-parts.js");
+    let plain = Program::plain();
+    let mut splitter = press(shell, "split");
+    let parts = printed(splitter.arg(whole).arg(&work).args([plain.script(), plain.parts()]))?;
+    let mut program = join(shell, &work.join("main.wasm"), Exports::Linker)?;
+    let main = work.join("main.joined");
+    fs::write(&main, program.files.0.get(&program.wasm()).context("the program has no wasm")?)?;
 
-    let whole = target(shell).join(WASM).join("release").join(format!("{NAME}.wasm"));
-    let whole = fs::read(&whole).with_context(|| format!("reading {}", whole.display()))?;
-    let main = work.join(format!("{page}.wasm"));
-    let mut options = wasm_split_cli_support::Options::new(&whole);
-    options.output_dir = &work;
-    options.main_out_path = &main;
-    options.link_name = &parts;
-    let main_js = format!("./{page}.js");
-    options.main_module = &main_js;
-    let split = wasm_split_cli_support::transform(options).map_err(|error| anyhow!("{error:#}"))?;
-
-    let mut bindgen = shell.command("wasm-bindgen");
-    bindgen.args(["--target", "web", "--no-typescript", "--keep-lld-exports", "--out-name", &page]);
-    run(bindgen.arg("--out-dir").arg(folder).arg(&main))?;
-    let main = folder.join(format!("{page}_bg.wasm"));
+    let parts: Vec<&str> = parts.lines().collect();
     let light = |part: &Path| part.with_extension("light");
-    let parts_to_main = split.split_modules.iter().map(|part| (part.clone(), light(part)));
-    optimize_all(shell, parts_to_main.chain([(main.clone(), main)]).collect())?;
+    let heavy = parts.iter().map(|part| work.join(part)).chain([main.clone()]);
+    optimize_all(shell, heavy.map(|part| (part.clone(), light(&part))).collect())?;
 
-    let mut link = fs::read_to_string(work.join(&parts)).context("the split left no loader")?;
-    for part in split.split_modules {
-        let stem = part.file_stem().context("a part has no name")?.to_string_lossy().into_owned();
-        let content = fs::read(light(&part))?;
-        let name = format!("{}-{}.wasm", stem.trim_start_matches("split_").replace('_', "-"), hash(&content));
-        link = link.replace(&format!("\"./{stem}.wasm\""), &format!("\"./{name}\""));
-        fs::write(folder.join(name), content)?;
+    program.files.0.insert(program.wasm(), fs::read(light(&main))?);
+    let mut loader = fs::read_to_string(work.join(plain.parts())).context("the split left no loader")?;
+    for part in parts {
+        let content = fs::read(light(&work.join(part)))?;
+        let stem = part.trim_end_matches(".wasm");
+        let name =
+            format!("{}-{}.wasm", stem.trim_start_matches("split_").replace('_', "-"), hash([&content]));
+        loader = loader.replace(&format!("\"./{part}\""), &format!("\"./{name}\""));
+        program.files.0.insert(name, content);
     }
-    fs::write(folder.join(&parts), link).context("writing the loader of the parts")
+    program.files.0.insert(plain.parts(), lenient(&loader)?.into_bytes());
+    Ok(program)
 }
 
-/// The name that trunk gave the page's script and wasm, without their endings.
-fn page_name(folder: &Path) -> Result<String> {
-    for entry in fs::read_dir(folder)? {
-        let name = entry?.file_name().to_string_lossy().into_owned();
-        if let Some(page) = name.strip_suffix("_bg.wasm") {
-            return Ok(page.to_owned());
-        }
-    }
-    Err(anyhow!("trunk left no wasm in {}", folder.display()))
+/// The loader of the parts, made to take them from any server.
+fn lenient(loader: &str) -> Result<String> {
+    ensure!(
+        loader.contains(STREAMING),
+        "the loader of the parts does not say {STREAMING}; did the splitter change?"
+    );
+    Ok(loader.replace(STREAMING, ANYHOW) + INSTANTIATE)
+}
+
+/// A tool that only publishing needs; cargo compiles it when it is first called.
+pub(crate) fn press(shell: &Shell, tool: &str) -> Command {
+    let mut press = shell.cargo();
+    press.args(["run", "--quiet", "--package", "press", "--", tool]);
+    press
 }
 
 /// The largest, which is the last, takes as long as many small ones: all processors share the list.
@@ -107,10 +95,18 @@ fn optimize(shell: &Shell, from: &Path, to: &Path) -> Result<()> {
     run_quietly(shell.command("wasm-opt").args(features).arg("-Oz").arg(from).arg("-o").arg(to))
 }
 
-fn target(shell: &Shell) -> PathBuf {
-    std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| shell.root.join("target"), |t| shell.root.join(t))
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
 
-fn hash(content: &[u8]) -> String {
-    Sha256::digest(content).iter().take(8).map(|byte| format!("{byte:02x}")).collect()
+    #[test]
+    fn parts_come_from_any_server() {
+        let loader =
+            format!("return async (imports) => ({STREAMING});\nreturn async (imports) => ({STREAMING});\n");
+        let lenient = lenient(&loader).unwrap();
+        let calls = lenient.matches(ANYHOW).count();
+        assert_eq!((calls, lenient.matches(STREAMING).count()), (2, 0), "{lenient}");
+        assert!(lenient.contains("async function instantiate("), "{lenient}");
+        assert!(super::lenient("import.source(x)").is_err());
+    }
 }
