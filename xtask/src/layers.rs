@@ -7,7 +7,7 @@ use anyhow::{Result, bail};
 
 use crate::shell::Shell;
 use crate::summary::Counts;
-use crate::{checks, dist, fuzz};
+use crate::{checks, dist, fresh, fuzz};
 
 /// Checks of one kind. They run in this order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -19,13 +19,14 @@ pub(crate) enum Layer {
     Wasm,
     Dist,
     E2e,
+    Fresh,
 }
 
-use Layer::{Board, Dist, E2e, Fuzz, Lint, Native, Wasm};
+use Layer::{Board, Dist, E2e, Fresh, Fuzz, Lint, Native, Wasm};
 
 impl Layer {
-    pub(crate) const ALL: [Self; 7] = [Lint, Native, Board, Fuzz, Wasm, Dist, E2e];
-    /// Without the lints, which say nothing about what the code does.
+    pub(crate) const ALL: [Self; 8] = [Lint, Native, Board, Fuzz, Wasm, Dist, E2e, Fresh];
+    /// Without the lints, which say nothing about what the code does, and without what tries these very commands.
     const TESTS: [Self; 6] = [Native, Board, Fuzz, Wasm, Dist, E2e];
 
     fn name(self) -> &'static str {
@@ -37,13 +38,14 @@ impl Layer {
             Wasm => "wasm",
             Dist => "dist",
             E2e => "e2e",
+            Fresh => "fresh",
         }
     }
 
     /// The file that has to be there for the layer to have anything to run.
     fn needs(self) -> Option<&'static str> {
         match self {
-            Lint | Native | Board | Dist => None,
+            Lint | Native | Board | Dist | Fresh => None,
             Fuzz => Some("fuzz/Cargo.toml"),
             Wasm => Some("tests/web.rs"),
             E2e => Some("tests/e2e/Cargo.toml"),
@@ -59,6 +61,7 @@ impl Layer {
             Wasm => checks::wasm(shell),
             Dist => dist::dist(shell).map(|()| Counts::PASSED),
             E2e => checks::e2e(shell),
+            Fresh => fresh::fresh(shell),
         }
     }
 }
@@ -169,7 +172,7 @@ mod tests {
         assert_eq!(chosen(&names(&["board", "native"])).unwrap(), [Native, Board]);
         assert_eq!(chosen(&names(&["e2e"])).unwrap(), [Dist, E2e]);
         let error = chosen(&names(&["nativ"])).unwrap_err().to_string();
-        assert!(error.contains("lint, native, board, fuzz, wasm, dist, e2e"), "{error}");
+        assert!(error.contains("lint, native, board, fuzz, wasm, dist, e2e, fresh"), "{error}");
     }
 
     #[test]

@@ -6,6 +6,8 @@ mod checks;
 mod compile;
 mod csp;
 mod dist;
+mod fetch;
+mod fresh;
 mod fuzz;
 mod join;
 mod layers;
@@ -45,7 +47,8 @@ The chores of Line Maze Lab. Each installs what it needs and says what it does.
                          dist     the page builds, is sealed, and is small enough
                          e2e      a real browser uses the published page
 
-  cargo xtask ci       what the project's checks run: format, lints, documentation, then every layer
+  cargo xtask ci       what the project's checks run: format, lints, documentation, every layer, then fresh
+  cargo xtask fresh    try the README's two commands on a clone, with nothing downloaded and nothing built
   cargo xtask page     the page as serve shows it, once, in target/page/
   cargo xtask dist     make dist/, a folder for any static web server, at any address
   cargo xtask speed    measure the page in a real browser: a step, a scrub, opening a large maze
@@ -78,6 +81,7 @@ fn run(mut args: Parser) -> Result<ExitCode> {
         "serve" => serve::serve(&shell, &serve_options(args)?),
         "test" => layers::test(&shell, &layers::chosen(&values(args)?)?),
         "ci" => no_more(args).and_then(|()| layers::test(&shell, &Layer::ALL)),
+        "fresh" => no_more(args).and_then(|()| layers::test(&shell, &[Layer::Fresh])),
         "speed" => no_more(args).and_then(|()| checks::speed(&shell)).map(|()| ExitCode::SUCCESS),
         "dist" => no_more(args).and_then(|()| dist::dist(&shell)).map(|()| ExitCode::SUCCESS),
         "help" => {
