@@ -44,6 +44,7 @@ pub struct Setup {
     pub(crate) hash: String,
     pub(crate) expected: Vec<&'static str>,
     pub(crate) arrives: bool,
+    pub(crate) scripting: bool,
     pub(crate) serial: Option<Serial>,
     pub(crate) display: Option<String>,
 }
@@ -66,6 +67,7 @@ impl Default for Setup {
             hash: String::new(),
             expected: Vec::new(),
             arrives: true,
+            scripting: true,
             serial: None,
             display: None,
         }
@@ -148,6 +150,13 @@ impl Setup {
     pub fn on(mut self, screen: &Screen) -> Self {
         self.display = Some(screen.display().to_owned());
         self
+    }
+
+    /// Where no script runs.
+    #[must_use]
+    pub const fn without_scripts(mut self) -> Self {
+        self.scripting = false;
+        self.never_arrives()
     }
 
     /// Where the page can't be expected to start.
@@ -253,6 +262,9 @@ impl Session {
             self.tools("Emulation.setTouchEmulationEnabled", touch).await?;
             // What is touched has scroll bars that take no room.
             self.tools("Emulation.setScrollbarsHidden", json!({ "hidden": true })).await?;
+        }
+        if !setup.scripting {
+            self.tools("Emulation.setScriptExecutionDisabled", json!({ "value": true })).await?;
         }
         for script in &setup.scripts {
             self.tools("Page.addScriptToEvaluateOnNewDocument", json!({ "source": script })).await?;

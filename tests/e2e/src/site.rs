@@ -19,6 +19,9 @@ const FOLDER: &str = "/some/sub/folder/";
 struct Faults {
     missing: Vec<&'static str>,
     changed: Vec<(&'static str, &'static str, &'static str)>,
+    replaced: Vec<(&'static str, &'static [u8])>,
+    called: Vec<(&'static str, &'static str)>,
+    policy: Option<&'static str>,
 }
 
 /// A running server.
@@ -77,6 +80,21 @@ impl Site {
         self.faults().changed.push((file, from, to));
     }
 
+    /// From now on, something else stands for the files with this in their names.
+    pub fn stand_in(&self, part: &'static str, body: &'static [u8]) {
+        self.faults().replaced.push((part, body));
+    }
+
+    /// From now on, files with this in their names are said to be of this type.
+    pub fn call(&self, part: &'static str, mime: &'static str) {
+        self.faults().called.push((part, mime));
+    }
+
+    /// From now on, the server has a Content Security Policy of its own.
+    pub fn forbid(&self, policy: &'static str) {
+        self.faults().policy = Some(policy);
+    }
+
     /// Every file is found again.
     pub fn find_all(&self) {
         self.faults().missing.clear();
@@ -97,9 +115,16 @@ impl Site {
 }
 
 impl Faults {
+    fn mime(&self, path: &str) -> &'static str {
+        self.called.iter().find(|(part, _)| path.contains(part)).map_or_else(|| mime(path), |(_, mime)| mime)
+    }
+
     fn apply(&self, path: &str, body: Vec<u8>) -> Option<Vec<u8>> {
         if self.missing.iter().any(|part| path.contains(part)) {
             return None;
+        }
+        if let Some((_, other)) = self.replaced.iter().find(|(part, _)| path.contains(part)) {
+            return Some(other.to_vec());
         }
         Some(
             self.changed.iter().filter(|(file, ..)| *file == path).fold(body, |body, (_, from, to)| {
@@ -125,16 +150,17 @@ async fn answer(mut stream: TcpStream, dist: &Path, faults: &Mutex<Faults>) -> R
     let request = String::from_utf8(request)?;
     let target = request.split(' ').nth(1).context("no target")?;
     let found = file(dist, target).and_then(|(path, body)| {
-        let body = faults.lock().unwrap_or_else(PoisonError::into_inner).apply(&path, body)?;
-        Some((path, body))
+        let faults = faults.lock().unwrap_or_else(PoisonError::into_inner);
+        let policy = faults.policy.map(|policy| format!("Content-Security-Policy: {policy}\r\n"));
+        Some((faults.mime(&path), policy.unwrap_or_default(), faults.apply(&path, body)?))
     });
-    let (status, mime, body) = match &found {
-        Some((path, body)) => ("200 OK", mime(path), body.as_slice()),
-        None => ("404 Not Found", "text/plain", b"not found".as_slice()),
+    let (status, mime, policy, body) = match &found {
+        Some((mime, policy, body)) => ("200 OK", *mime, policy.as_str(), body.as_slice()),
+        None => ("404 Not Found", "text/plain", "", b"not found".as_slice()),
     };
     let head = format!(
         "HTTP/1.1 {status}\r\nContent-Type: {mime}\r\nContent-Length: {}\r\nCache-Control: no-cache\r\n\
-         Connection: close\r\n\r\n",
+         {policy}Connection: close\r\n\r\n",
         body.len()
     );
     stream.write_all(head.as_bytes()).await?;

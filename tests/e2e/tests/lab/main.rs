@@ -1,5 +1,6 @@
 //! The lab as people use it, in a real browser.
 
+mod arrival;
 mod compare;
 mod connect;
 mod connect_over;

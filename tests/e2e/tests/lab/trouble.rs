@@ -126,26 +126,6 @@ async fn the_rescue_screen_saves_the_maze() -> Result<()> {
 }
 
 #[tokio::test]
-async fn a_missing_program_is_told() -> Result<()> {
-    for missing in [".wasm", "line-maze-lab-"] {
-        let site = Site::start().await?;
-        site.lose(missing);
-        let setup = Setup::default()
-            .never_arrives()
-            .expect_console("404")
-            .expect_console("wasm")
-            .expect_console("WebAssembly");
-        lab_at(&site, setup, async |page| {
-            page.wait_until("!document.getElementById('rescue').hidden").await?;
-            assert!(page.text("#rescue").await?.contains("did not arrive completely"));
-            page.screenshot("missing-program").await
-        })
-        .await?;
-    }
-    Ok(())
-}
-
-#[tokio::test]
 async fn a_missing_part_is_told_and_can_be_asked_for_again() -> Result<()> {
     let site = Site::start().await?;
     site.lose("draw-");
