@@ -2,8 +2,8 @@
 //!
 //! An explorer cannot see the maze: nothing here imports `maze`, `world` or `route`. The same sightings give
 //! the same answers; chance comes only from a seed. [`book`] is the book's own and tells everything as
-//! events; all others are [`mind::Robot`]s and tell which lines of their pseudo-code ran and which case it
-//! was. [`name::Name`] lists them all.
+//! events; all others are [`mind::Robot`]s and tell line by line of their pseudo-code what they do
+//! ([`tell::Tell`]), and which case it was. [`name::Name`] lists them all.
 
 use crate::event::{Decision, Sighting};
 
@@ -19,6 +19,7 @@ pub mod hand;
 pub mod mapping;
 pub mod mind;
 pub mod name;
+pub mod node_search;
 pub mod parex;
 mod places;
 pub mod squares;

@@ -21,6 +21,7 @@ use crate::route::tally::Tally;
 
 pub mod driven;
 mod keys;
+pub mod moment;
 
 use keys::Keys;
 

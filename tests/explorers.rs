@@ -7,6 +7,8 @@ mod support;
 mod hands;
 #[path = "explorers/laws.rs"]
 mod laws;
+#[path = "explorers/lines.rs"]
+mod lines;
 #[path = "explorers/map.rs"]
 mod map;
 #[path = "explorers/recordings.rs"]

@@ -17,7 +17,7 @@ use alloc::vec::Vec;
 use super::book::errata::{Erratum, Place};
 use super::mind::{Field, Plan, Robot};
 use super::squares::{ORDER, Squares, VISITED, wall};
-use super::tell::{Said, many};
+use super::tell::{Tell, many};
 use crate::event::{Decision, Finish, Home, Look, Outcome};
 use crate::geometry::{Heading, Point, Turn};
 
@@ -167,49 +167,56 @@ impl Cornell {
         (at.x, self.squares.field().height as i32 - 1 - at.y)
     }
 
-    fn choose(&mut self, look: Look, said: &mut Said) -> Option<Turn> {
+    fn choose(&mut self, look: Look, tell: &mut impl Tell<Self>) -> Option<Turn> {
+        let start = look.home == Home::PutDown;
+        let mut is = |case: u8| tell.is(if start { case::START } else { case });
         if self.version == Version::One {
-            said.ran(line::ONE);
-            said.is(case::OPEN);
-            return Some(look.first_of(&ORDER));
+            is(case::OPEN);
+            return Some(self.turn(look.first_of(&ORDER), line::ONE, tell));
         }
         if let Some(way) = self.route.pop() {
-            said.ran(line::FOLLOW);
-            said.is(case::ROUTE);
-            return Some(self.heading.turn_to(way));
+            is(case::ROUTE);
+            return Some(self.turn(self.heading.turn_to(way), line::FOLLOW, tell));
         }
-        said.ran(line::TWO);
         let open = ORDER.iter().copied().filter(|&turn| look.sighting.sees(turn));
         let fresh = |turn: &Turn| self.squares.byte(self.at.step(self.heading.turned(*turn))) & VISITED == 0;
         if let Some(turn) = open.clone().find(fresh) {
-            said.is(case::FRESH);
-            return Some(turn);
+            is(case::FRESH);
+            return Some(self.turn(turn, line::TWO, tell));
         }
         if self.version == Version::Two {
-            said.ran(line::REST);
-            said.is(case::WORN);
-            return Some(look.first_of(&ORDER));
+            is(case::WORN);
+            tell.none(line::TWO, self);
+            return Some(self.turn(look.first_of(&ORDER), line::REST, tell));
         }
-        said.ran(line::SEARCH);
+        is(case::PLAN);
+        tell.none(line::TWO, self);
         let Some(mut route) = self.squares.nearest_unvisited(self.at, self.heading) else {
-            said.ran(line::DONE);
-            said.is(case::DONE);
+            tell.none(line::SEARCH, self);
+            tell.is(case::DONE);
+            tell.did(line::DONE, self);
             return None;
         };
-        said.ran(line::ROUTE);
-        said.is(case::PLAN);
+        tell.did(line::SEARCH, self);
+        tell.no(line::DONE, self);
         let way = route.pop()?;
         self.route = route;
-        Some(self.heading.turn_to(way))
+        Some(self.turn(self.heading.turn_to(way), line::ROUTE, tell))
+    }
+
+    /// Turns, as this line says.
+    fn turn(&mut self, turn: Turn, line: u8, tell: &mut impl Tell<Self>) -> Turn {
+        self.heading = self.heading.turned(turn);
+        tell.did(line, self);
+        turn
     }
 }
 
 impl Robot for Cornell {
-    fn decide(&mut self, look: Look, said: &mut Said) -> Decision {
+    fn decide(&mut self, look: Look, tell: &mut impl Tell<Self>) -> Decision {
         if look.home != Home::PutDown {
             self.at = self.at.step(self.heading);
         }
-        said.ran(line::WRITE);
         let new = self.squares.byte(self.at) & VISITED == 0;
         self.squares.write(self.at, look.sighting.ways.out_of_frame_of(self.heading));
         if look.sighting.finish == Finish::Yes
@@ -218,14 +225,8 @@ impl Robot for Cornell {
         {
             self.finishes.push(place as u32);
         }
-        let Some(turn) = self.choose(look, said) else {
-            return Decision::End(Outcome::Mapped);
-        };
-        if look.home == Home::PutDown {
-            said.is(case::START);
-        }
-        self.heading = self.heading.turned(turn);
-        Decision::Go(turn)
+        tell.did(line::WRITE, self);
+        self.choose(look, tell).map_or(Decision::End(Outcome::Mapped), Decision::Go)
     }
 
     fn fact(&self, key: &str, out: &mut String) {

@@ -8,13 +8,11 @@
 //! | `way` | the nodes from the start to here |
 
 use alloc::string::{String, ToString};
-use alloc::vec::Vec;
 
 use super::mind::{Plan, Robot};
-use super::places::{Places, Reckoning};
-use super::taste::Taste;
-use super::tell::{Said, many};
-use crate::event::{Decision, Finish, Home, Look, Outcome};
+use super::node_search::{self, AtNodes, Heads, Searched, heads};
+use super::tell::{Tell, many};
+use crate::event::{Decision, Home, Look};
 use crate::geometry::{Heading, Turn, Ways};
 use crate::settings::Order;
 
@@ -61,161 +59,117 @@ pub struct Node {
 
 /// A robot that searches depth first.
 #[derive(Clone, Debug)]
-pub struct DepthFirst {
-    here: Reckoning,
-    places: Places,
-    nodes: Vec<Node>,
-    way: Vec<u32>,
-    taste: Taste,
-    node: u32,
-}
+pub struct DepthFirst(Searched<Node, u32>);
 
 impl DepthFirst {
     /// A robot that knows nothing yet; `epsilon` in milliseconds.
     #[must_use]
     pub fn new(order: Order, epsilon: u32) -> Self {
-        Self {
-            here: Reckoning::default(),
-            places: Places::new(epsilon),
-            nodes: Vec::new(),
-            way: Vec::new(),
-            taste: Taste::new(order),
-            node: 0,
-        }
+        Self(Searched::new(order, epsilon))
     }
 
-    /// The nodes, in the order in which they were met.
+    /// What it remembers.
     #[must_use]
-    pub fn nodes(&self) -> &[Node] {
-        &self.nodes
+    pub const fn memory(&self) -> &Searched<Node, u32> {
+        &self.0
     }
 
-    /// A node's coordinates, in milliseconds.
-    #[must_use]
-    pub fn coordinates(&self, node: u32) -> (i32, i32) {
-        self.places.coordinates(node)
-    }
-
-    /// The nodes from the start to here.
-    #[must_use]
-    pub fn way(&self) -> &[u32] {
-        &self.way
-    }
-
-    /// The node that the robot came to last.
-    #[must_use]
-    pub const fn node(&self) -> u32 {
-        self.node
-    }
-
-    fn at_node(&mut self, look: Look, said: &mut Said) -> Option<Turn> {
-        let ways = look.sighting.ways.out_of_frame_of(self.here.heading);
-        let arrival = self.here.heading.opposite();
-        said.ran(line::NEW);
-        let Some(node) = self.places.find(self.here.x, self.here.y) else {
-            self.node = self.places.push(self.here.x, self.here.y);
-            let entry = (look.home != Home::PutDown).then_some(arrival);
-            let used = entry.map_or(Ways::NONE, |way| Ways::NONE.with(way));
-            self.nodes.push(Node { entry, ways, used, exit: arrival });
-            self.way.push(self.node);
-            said.is(if entry.is_some() { case::NEW } else { case::START });
-            return self.explore(said);
-        };
-        self.node = node;
-        said.ran(line::LOOP);
-        let known = &mut self.nodes[node as usize];
-        if !known.used.has(arrival) {
-            known.used = known.used.with(arrival);
-            said.is(case::LOOP);
-            return Some(Turn::Back);
-        }
-        said.ran(line::ELSE);
-        said.is(case::NEXT);
-        self.explore(said)
-    }
-
-    fn explore(&mut self, said: &mut Said) -> Option<Turn> {
-        said.ran(line::UNUSED);
-        let heading = self.here.heading;
-        let node = &mut self.nodes[self.node as usize];
+    fn explore(&mut self, tell: &mut impl Tell<Self>) -> Option<Turn> {
+        let (order, heading) = (self.0.order(), self.0.here.heading);
+        let node = &mut self.0.nodes[self.0.node as usize];
         let unused = node.ways.minus(node.used);
-        let [a, b, c] = self.taste.order();
-        let first = [a, b, c, Turn::Back].into_iter().find(|&turn| unused.has(heading.turned(turn)));
-        if let Some(turn) = first {
+        if let Some(turn) = order.into_iter().find(|&turn| unused.has(heading.turned(turn))) {
             node.exit = heading.turned(turn);
             node.used = node.used.with(node.exit);
+            self.0.turn(turn);
+            tell.did(line::UNUSED, self);
             return Some(turn);
         }
-        said.ran(line::BACK);
-        let Some(entry) = node.entry else {
-            said.ran(line::NONE);
+        let entry = node.entry;
+        tell.none(line::UNUSED, self);
+        let Some(entry) = entry else {
+            tell.none(line::BACK, self);
+            tell.is(case::NONE);
+            tell.did(line::NONE, self);
             return None;
         };
-        self.way.pop();
-        said.is(case::BACK);
-        Some(heading.turn_to(entry))
+        self.0.way.pop();
+        let turn = self.0.face(entry);
+        tell.is(case::BACK);
+        tell.did(line::BACK, self);
+        Some(turn)
+    }
+}
+
+impl AtNodes for DepthFirst {
+    const HEADS: Heads = heads!();
+
+    type Node = Node;
+    type OnWay = u32;
+
+    fn searched(&mut self) -> &mut Searched<Node, u32> {
+        &mut self.0
     }
 
-    fn choose(&mut self, look: Look, said: &mut Said) -> Option<Turn> {
-        said.ran(line::HOME);
-        if look.home == Home::Back && look.is_dead_end() {
-            return None;
-        }
-        said.ran(line::DEAD);
-        if look.is_dead_end() {
-            said.is(case::DEAD);
+    fn at_node(&mut self, look: Look, tell: &mut impl Tell<Self>) -> Option<Turn> {
+        let arrival = self.0.here.heading.opposite();
+        let Some(node) = self.0.known() else {
+            let ways = look.sighting.ways.out_of_frame_of(self.0.here.heading);
+            let entry = (look.home != Home::PutDown).then_some(arrival);
+            let used = entry.map_or(Ways::NONE, |way| Ways::NONE.with(way));
+            self.0.record(Node { entry, ways, used, exit: arrival }, |node| node);
+            tell.is(if entry.is_some() { case::NEW } else { case::START });
+            tell.did(line::NEW, self);
+            return self.explore(tell);
+        };
+        tell.no(line::NEW, self);
+        let known = &mut self.0.nodes[node as usize];
+        if !known.used.has(arrival) {
+            known.used = known.used.with(arrival);
+            self.0.node = node;
+            self.0.turn(Turn::Back);
+            tell.is(case::LOOP);
+            tell.did(line::LOOP, self);
             return Some(Turn::Back);
         }
-        said.ran(line::CORNER);
-        if look.is_choice() {
-            return self.at_node(look, said);
-        }
-        said.is(if look.home == Home::PutDown { case::START } else { case::CORNER });
-        Some(look.only_turn())
+        tell.no(line::LOOP, self);
+        self.0.node = node;
+        tell.is(case::NEXT);
+        tell.did(line::ELSE, self);
+        self.explore(tell)
     }
 }
 
 impl Robot for DepthFirst {
-    fn decide(&mut self, look: Look, said: &mut Said) -> Decision {
-        self.here.drive(look.sighting.time_diff);
-        said.ran(line::FINISH);
-        if look.sighting.finish == Finish::Yes {
-            said.is(case::FINISH);
-            return Decision::End(Outcome::Finish);
-        }
-        let Some(turn) = self.choose(look, said) else {
-            said.is(case::NONE);
-            return Decision::End(Outcome::NoFinishReachable);
-        };
-        self.here.heading = self.here.heading.turned(turn);
-        Decision::Go(turn)
+    fn decide(&mut self, look: Look, tell: &mut impl Tell<Self>) -> Decision {
+        node_search::decide(self, look, tell)
     }
 
     fn fact(&self, key: &str, out: &mut String) {
         out.push_str(&match key {
-            "way" => many(self.way.len(), "node"),
-            _ => (self.node + 1).to_string(),
+            "way" => many(self.0.way.len(), "node"),
+            _ => (self.0.node + 1).to_string(),
         });
     }
 
     fn peak_bytes(&self) -> u32 {
         // Two ints of coordinates, a byte each of first entry and used ways.
-        6 * self.nodes.len() as u32
+        6 * self.0.nodes.len() as u32
     }
 
     fn host_bytes(&self) -> usize {
-        self.places.bytes() + 4 * (self.nodes.len() + self.way.len())
+        self.0.bytes()
     }
 
     fn node(&self, look: Look) -> Option<u32> {
-        look.is_choice().then_some(self.node + 1)
+        look.is_choice().then_some(self.0.node + 1)
     }
 
     fn plan(&self) -> Option<Plan> {
         let turn = |&node: &u32| {
-            let Node { entry, exit, .. } = self.nodes[node as usize];
+            let Node { entry, exit, .. } = self.0.nodes[node as usize];
             entry.map_or(Heading::North, Heading::opposite).turn_to(exit)
         };
-        Some(Plan::Letters(self.way.iter().map(turn).collect()))
+        Some(Plan::Letters(self.0.way.iter().map(turn).collect()))
     }
 }

@@ -13,7 +13,7 @@ use alloc::vec::Vec;
 
 use super::mind::{Field, Plan, Robot};
 use super::squares::{ORDER, Squares, wall};
-use super::tell::{Said, many};
+use super::tell::{Tell, many};
 use crate::event::{Decision, Finish, Home, Look, Outcome};
 use crate::geometry::{Heading, Point, Ways};
 
@@ -127,36 +127,38 @@ impl FloodFill {
 }
 
 impl Robot for FloodFill {
-    fn decide(&mut self, look: Look, said: &mut Said) -> Decision {
+    fn decide(&mut self, look: Look, tell: &mut impl Tell<Self>) -> Decision {
         if look.home != Home::PutDown {
             self.at = self.at.step(self.heading);
         }
-        said.ran(line::WRITE);
         let new = self.note(look.sighting.ways.out_of_frame_of(self.heading));
-        said.ran(line::FINISH);
+        tell.did(line::WRITE, self);
         if look.sighting.finish == Finish::Yes {
-            said.is(case::FINISH);
+            tell.is(case::FINISH);
+            tell.did(line::FINISH, self);
             return Decision::End(Outcome::Finish);
         }
-        said.ran(line::FILL);
+        tell.no(line::FINISH, self);
         // Without a new wall the numbers would come out as they are.
         if new || look.home == Home::PutDown {
             self.fill();
         }
-        said.ran(line::NONE);
+        tell.did(line::FILL, self);
         let ways = ORDER.iter().copied().filter(|&turn| look.sighting.sees(turn));
         let lowest = ways.min_by_key(|&turn| self.at_place(self.at.step(self.heading.turned(turn))));
         let Some(turn) = lowest.filter(|_| self.number() != INFINITE) else {
-            said.is(if self.goal.is_empty() { case::NO_GOAL } else { case::NONE });
+            tell.is(if self.goal.is_empty() { case::NO_GOAL } else { case::NONE });
+            tell.did(line::NONE, self);
             return Decision::End(Outcome::NoFinishReachable);
         };
-        said.ran(line::DOWN);
-        said.is(match (look.home, new) {
+        tell.no(line::NONE, self);
+        tell.is(match (look.home, new) {
             (Home::PutDown, _) => case::START,
             (_, true) => case::FILL,
             (_, false) => case::DOWN,
         });
         self.heading = self.heading.turned(turn);
+        tell.did(line::DOWN, self);
         Decision::Go(turn)
     }
 

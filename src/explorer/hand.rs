@@ -12,7 +12,7 @@ use alloc::vec::Vec;
 
 use super::book::errata::{Erratum, Place};
 use super::mind::{Plan, Robot};
-use super::tell::{Said, letters};
+use super::tell::{Tell, letters};
 use crate::event::{Decision, Finish, Home, Look, Outcome};
 use crate::geometry::Turn;
 
@@ -111,10 +111,26 @@ pub enum Added {
 /// Adds a letter, and makes one of three where that closes an `xBy`.
 pub fn add(path: &mut Vec<Turn>, letter: Turn) -> Added {
     path.push(letter);
-    let [.., x, Turn::Back, y] = path[..] else { return Added::One };
+    match closed(path) {
+        Some(sum) => {
+            reduce(path, sum);
+            Added::Reduced
+        }
+        None => Added::One,
+    }
+}
+
+/// The sum of the last three letters where they are an `xBy`.
+const fn closed(path: &[Turn]) -> Option<Turn> {
+    match path {
+        [.., x, Turn::Back, y] => Some(Turn::from_index(*x as u8 + Turn::Back as u8 + *y as u8)),
+        _ => None,
+    }
+}
+
+fn reduce(path: &mut Vec<Turn>, sum: Turn) {
     path.truncate(path.len() - 3);
-    path.push(Turn::from_index(x as u8 + Turn::Back as u8 + y as u8));
-    Added::Reduced
+    path.push(sum);
 }
 
 impl Hand {
@@ -136,40 +152,47 @@ impl Hand {
         self.side
     }
 
-    fn add(&mut self, letter: Turn, said: &mut Said) -> Added {
+    fn add(&mut self, letter: Turn, tell: &mut impl Tell<Self>) -> Added {
+        self.path.push(letter);
         // Before three letters become one, all are in the array.
-        self.peak = self.peak.max(self.path.len() as u32 + 1);
-        said.all(&[line::PUSH, line::IF_XBY]);
-        let added = add(&mut self.path, letter);
-        if added == Added::Reduced {
-            said.ran(line::REDUCE);
-        }
-        added
+        self.peak = self.peak.max(self.path.len() as u32);
+        tell.did(line::PUSH, self);
+        let Some(sum) = closed(&self.path) else {
+            tell.no(line::IF_XBY, self);
+            return Added::One;
+        };
+        tell.yes(line::IF_XBY, self);
+        reduce(&mut self.path, sum);
+        tell.did(line::REDUCE, self);
+        Added::Reduced
     }
 }
 
 impl Robot for Hand {
-    fn decide(&mut self, look: Look, said: &mut Said) -> Decision {
-        said.ran(line::FINISH);
+    fn decide(&mut self, look: Look, tell: &mut impl Tell<Self>) -> Decision {
         if look.sighting.finish == Finish::Yes {
-            said.is(case::FINISH);
+            tell.is(case::FINISH);
+            tell.did(line::FINISH, self);
             return Decision::End(Outcome::Finish);
         }
-        said.ran(line::DEAD);
+        tell.no(line::FINISH, self);
         if look.is_dead_end() {
-            self.add(Turn::Back, said);
-            said.is(case::DEAD);
+            tell.is(case::DEAD);
+            tell.did(line::DEAD, self);
+            self.add(Turn::Back, tell);
             return Decision::Go(Turn::Back);
         }
-        said.ran(line::CORNER);
+        tell.no(line::DEAD, self);
         if !look.is_choice() {
-            said.is(if look.home == Home::PutDown { case::START } else { case::CORNER });
+            tell.is(if look.home == Home::PutDown { case::START } else { case::CORNER });
+            tell.did(line::CORNER, self);
             return Decision::Go(look.only_turn());
         }
-        said.ran(line::NODE);
+        tell.no(line::CORNER, self);
         let turn = look.first_of(&self.side.order());
-        let added = self.add(turn, said);
-        said.is(match added {
+        tell.did(line::NODE, self);
+        let added = self.add(turn, tell);
+        tell.is(match added {
             Added::One => case::NODE,
             Added::Reduced => case::REDUCED,
         });

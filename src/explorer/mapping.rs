@@ -17,14 +17,16 @@ use alloc::vec::Vec;
 use super::book::errata::{Erratum, Kind, Place};
 use super::mind::{Costs, Plan, Robot, Setup};
 use super::places::{Places, Reckoning};
-use super::tell::{Said, many};
+use super::tell::{Tell, many};
 use crate::event::{Decision, Finish, Home, Look, Outcome};
 use crate::geometry::{Heading, Point, Turn, Ways};
 use crate::settings;
 
+mod columns;
 mod nearest;
 pub mod search;
 
+pub use columns::Column;
 use nearest::Nearest;
 use search::{Aim, Search};
 
@@ -116,21 +118,6 @@ struct Known {
     finish: Finish,
 }
 
-/// A column of the arrays.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Column {
-    /// Which point.
-    pub point: u32,
-    /// Its ways − 1.
-    pub kind: i32,
-    /// Its different neighbours known after this visit.
-    pub explored: u32,
-    /// Milliseconds of driving to the east of the start.
-    pub x: i32,
-    /// Milliseconds of driving to the north of the start.
-    pub y: i32,
-}
-
 /// A robot that maps the whole maze.
 #[derive(Clone, Debug)]
 pub struct Mapping {
@@ -173,61 +160,6 @@ impl Mapping {
     #[must_use]
     pub const fn total_points(&self) -> u32 {
         self.points.len() as u32
-    }
-
-    /// Visits so far, the start included.
-    #[must_use]
-    pub const fn visits(&self) -> usize {
-        self.visits.len()
-    }
-
-    /// Which point a visit was of, from 0.
-    pub fn visited(&self) -> impl ExactSizeIterator<Item = u32> {
-        self.visits.iter().map(|packed| packed & POINT_MASK)
-    }
-
-    /// A column of the arrays, from 0.
-    #[must_use]
-    pub fn column(&self, visit: usize) -> Option<Column> {
-        let packed = *self.visits.get(visit)?;
-        let point = packed & POINT_MASK;
-        let (x, y) = self.places.coordinates(point);
-        let kind = self.points[point as usize].ways.count() as i32 - 1;
-        Some(Column { point, kind, explored: packed >> POINT_BITS, x, y })
-    }
-
-    /// The neighbours of a point as neighbouring columns show them, from left to right.
-    #[must_use]
-    pub fn adjacency(&self, point: u32) -> Vec<u32> {
-        let mut list = Vec::new();
-        self.pairs(|a, b| {
-            if a == point && !list.contains(&b) {
-                list.push(b);
-            }
-        });
-        list
-    }
-
-    /// The whole adjacency list, by point.
-    #[must_use]
-    pub fn adjacency_list(&self) -> Vec<Vec<u32>> {
-        let mut lists = alloc::vec![Vec::new(); self.points.len()];
-        self.pairs(|a, b| {
-            let list: &mut Vec<u32> = &mut lists[a as usize];
-            if !list.contains(&b) {
-                list.push(b);
-            }
-        });
-        lists
-    }
-
-    /// Points of neighbouring columns, each pair in both orders.
-    fn pairs(&self, mut met: impl FnMut(u32, u32)) {
-        for pair in self.visits.windows(2) {
-            let (a, b) = (pair[0] & POINT_MASK, pair[1] & POINT_MASK);
-            met(a, b);
-            met(b, a);
-        }
     }
 
     /// The known neighbours of a point, clockwise from north.
@@ -297,70 +229,89 @@ impl Mapping {
     }
 
     /// Notes the visit; the point, and whether it is new.
-    fn visit(&mut self, look: Look, said: &mut Said) -> (u32, bool) {
-        said.ran(line::FIND);
+    fn visit(&mut self, look: Look, tell: &mut impl Tell<Self>) -> (u32, bool) {
         let known = self.places.find(self.here.x, self.here.y);
         let before = self.point();
-        let point = known.unwrap_or_else(|| {
-            said.ran(line::NEW);
-            let ways = look.sighting.ways.out_of_frame_of(self.here.heading);
-            let finish = look.sighting.finish;
-            self.points.push(Known { links: [NONE; 4], ways, joined: Ways::NONE, finish });
-            self.places.push(self.here.x, self.here.y)
-        });
-        said.all(&[line::COLUMN, line::JOIN]);
+        let point = match known {
+            Some(point) => {
+                tell.did(line::FIND, self);
+                point
+            }
+            None => {
+                tell.none(line::FIND, self);
+                let ways = look.sighting.ways.out_of_frame_of(self.here.heading);
+                let finish = look.sighting.finish;
+                self.points.push(Known { links: [NONE; 4], ways, joined: Ways::NONE, finish });
+                let point = self.places.push(self.here.x, self.here.y);
+                tell.did(line::NEW, self);
+                point
+            }
+        };
+        self.visits.push(point);
+        tell.did(line::COLUMN, self);
         if let Some(before) = before {
             self.join(before, point);
         }
         let explored = self.points[point as usize].joined.count();
-        self.visits.push(point | explored << POINT_BITS);
+        if let Some(column) = self.visits.last_mut() {
+            *column |= explored << POINT_BITS;
+        }
+        tell.did(line::JOIN, self);
         (point, known.is_none())
     }
 
-    fn choose(&mut self, look: Look, said: &mut Said) -> Option<Heading> {
-        let (point, new) = self.visit(look, said);
+    /// Turns to a heading.
+    fn face(&mut self, way: Heading) -> Turn {
+        let turn = self.here.heading.turn_to(way);
+        self.here.heading = way;
+        turn
+    }
+
+    fn choose(&mut self, look: Look, tell: &mut impl Tell<Self>) -> Option<Turn> {
+        let (point, new) = self.visit(look, tell);
         if let Some(way) = self.route.pop() {
-            said.ran(line::ROUTE);
-            said.is(case::ROUTE);
-            return Some(way);
+            let turn = self.face(way);
+            tell.is(case::ROUTE);
+            tell.did(line::ROUTE, self);
+            return Some(turn);
         }
-        said.ran(line::TAKE);
+        tell.no(line::ROUTE, self);
         let unexplored = self.unexplored(point);
         if let Some(way) = PREFERENCE.into_iter().find(|&way| unexplored.has(way)) {
-            said.is(match (look.home, new) {
+            tell.is(match (look.home, new) {
                 (Home::PutDown, _) => case::START,
                 (_, true) => case::NEW,
                 _ if self.target == point => case::BACK,
                 _ => case::KNOWN,
             });
             self.target = NONE;
-            return Some(way);
+            let turn = self.face(way);
+            tell.did(line::TAKE, self);
+            return Some(turn);
         }
-        said.ran(line::NEAR);
+        tell.no(line::TAKE, self);
         let mut nearest = core::mem::take(&mut self.nearest);
         let found = nearest.find(self, point);
         self.nearest = nearest;
-        let Some((target, route)) = found else {
+        let Some((target, mut route)) = found else {
+            tell.none(line::NEAR, self);
             self.target = NONE;
-            said.ran(line::NONE);
-            said.is(case::DONE);
+            tell.is(case::DONE);
+            tell.did(line::NONE, self);
             return None;
         };
+        let turn = route.pop().map(|way| self.face(way));
         (self.target, self.route) = (target, route);
-        said.is(case::SEARCH);
-        self.route.pop()
+        tell.is(case::SEARCH);
+        tell.did(line::NEAR, self);
+        turn
     }
 }
 
 impl Robot for Mapping {
-    fn decide(&mut self, look: Look, said: &mut Said) -> Decision {
+    fn decide(&mut self, look: Look, tell: &mut impl Tell<Self>) -> Decision {
         self.here.drive(look.sighting.time_diff);
-        let Some(way) = self.choose(look, said) else {
-            return Decision::End(Outcome::Mapped);
-        };
-        let turn: Turn = self.here.heading.turn_to(way);
-        self.here.heading = way;
-        Decision::Go(turn)
+        self.choose(look, tell).map_or(Decision::End(Outcome::Mapped), Decision::Go)
     }
 
     fn fact(&self, key: &str, out: &mut String) {

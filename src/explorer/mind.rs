@@ -12,7 +12,7 @@ use super::mapping::Mapping;
 use super::name::Name;
 use super::parex::{Numbering, Parex};
 use super::sums::Sums;
-use super::tell::Said;
+use super::tell::{Said, Seen, Tell, Watch};
 use super::tremaux::Tremaux;
 use crate::event::{Decision, Look};
 use crate::geometry::{Heading, Point, Turn};
@@ -20,8 +20,11 @@ use crate::settings::{Order, Rule, Search};
 
 /// A robot's mind: sightings in, decisions out, and what it tells of itself.
 pub trait Robot {
-    /// Decides at a stop and tells which lines ran and which case it was.
-    fn decide(&mut self, look: Look, said: &mut Said) -> Decision;
+    /// Decides at a stop and tells, line by line, what it does. Where the drive has brought the robot is in the
+    /// memory before the first line; all else is there when its line is told, and nothing is done after the last.
+    fn decide(&mut self, look: Look, tell: &mut impl Tell<Self>) -> Decision
+    where
+        Self: Sized;
 
     /// Writes a fact that a template of [`super::tell`] asks for.
     fn fact(&self, key: &str, out: &mut String);
@@ -209,4 +212,30 @@ impl Mind {
             Self::FloodFill(mind) => mind.decide(look, said),
         }
     }
+
+    /// Decides at a stop, and looks at itself when so many lines have run; nothing where the stop has fewer.
+    pub fn watched(&mut self, look: Look, lines: u8) -> (Said, Option<Seen<Self>>) {
+        match self {
+            Self::Hand(mind) => watched(mind, look, lines, Self::Hand),
+            Self::Sums(mind) => watched(mind, look, lines, Self::Sums),
+            Self::Mapping(mind) => watched(mind, look, lines, Self::Mapping),
+            Self::Parex(mind) => watched(mind, look, lines, Self::Parex),
+            Self::Cornell(mind) => watched(mind, look, lines, Self::Cornell),
+            Self::Tremaux(mind) => watched(mind, look, lines, Self::Tremaux),
+            Self::DepthFirst(mind) => watched(mind, look, lines, Self::DepthFirst),
+            Self::FloodFill(mind) => watched(mind, look, lines, Self::FloodFill),
+        }
+    }
+}
+
+fn watched<M: Robot + Clone>(
+    mind: &mut M,
+    look: Look,
+    lines: u8,
+    any: fn(M) -> Mind,
+) -> (Said, Option<Seen<Mind>>) {
+    let mut watch = Watch::until(lines);
+    mind.decide(look, &mut watch);
+    let (said, seen) = watch.done();
+    (said, seen.map(|Seen { ran, mind }| Seen { ran, mind: any(mind) }))
 }

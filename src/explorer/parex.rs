@@ -14,7 +14,7 @@ use alloc::vec::Vec;
 use super::book::errata::{Erratum, Kind, Place};
 use super::hand::Side;
 use super::mind::{Field, Plan, Robot};
-use super::tell::{Said, many, tail};
+use super::tell::{Tell, many, tail};
 use crate::event::{Decision, Finish, Home, Look, Outcome};
 use crate::geometry::{Heading, Point};
 use crate::settings::Rule;
@@ -197,29 +197,43 @@ impl Parex {
         self.square += dx + dy * self.numbering.width;
     }
 
+    /// Notes the square at the end of the path; its earlier place there, which special case 1 asks for; 0 is none.
+    fn push(&mut self) -> usize {
+        self.path.push(self.square);
+        self.peak = self.peak.max(self.path.len() as u32);
+        if self.rule == Rule::Basic {
+            return 0;
+        }
+        let last = self.path.len() as u32;
+        let place = self.place(self.square);
+        let earlier = *place;
+        if earlier == 0 {
+            *place = last;
+        }
+        earlier as usize
+    }
+
     /// Cuts what led back, by the rule; whether there was something.
-    fn cut(&mut self, said: &mut Said) -> bool {
+    fn cut(&mut self, earlier: usize, tell: &mut impl Tell<Self>) -> bool {
         match self.rule {
             Rule::Basic => {
-                said.all(&[line::BASIC, line::IF_TWO]);
-                let [.., before, _, last] = self.path[..] else { return false };
-                if before != last {
+                tell.yes(line::BASIC, self);
+                if !matches!(self.path[..], [.., before, _, last] if before == last) {
+                    tell.no(line::IF_TWO, self);
                     return false;
                 }
-                said.ran(line::CUT_TWO);
+                tell.yes(line::IF_TWO, self);
                 self.path.truncate(self.path.len() - 2);
+                tell.did(line::CUT_TWO, self);
                 true
             }
             Rule::Special1 => {
-                said.all(&[line::SPECIAL, line::IF_ANY]);
-                let last = self.path.len() as u32;
-                let place = self.place(self.square);
-                let earlier = *place as usize;
+                tell.yes(line::SPECIAL, self);
                 if earlier == 0 {
-                    *place = last;
+                    tell.no(line::IF_ANY, self);
                     return false;
                 }
-                said.ran(line::CUT_ANY);
+                tell.yes(line::IF_ANY, self);
                 // The last square is the earlier one again; those between are forgotten.
                 self.path.pop();
                 while self.path.len() > earlier
@@ -227,6 +241,7 @@ impl Parex {
                 {
                     *self.place(square) = 0;
                 }
+                tell.did(line::CUT_ANY, self);
                 true
             }
         }
@@ -234,31 +249,32 @@ impl Parex {
 }
 
 impl Robot for Parex {
-    fn decide(&mut self, look: Look, said: &mut Said) -> Decision {
+    fn decide(&mut self, look: Look, tell: &mut impl Tell<Self>) -> Decision {
         self.arrive(look.home);
         if let Some(capacity) = self.path_max
             && self.path.len() as u64 >= u64::from(capacity)
         {
-            said.is(case::FULL);
+            tell.is(case::FULL);
+            tell.none(line::PUSH, self);
             return Decision::End(Outcome::PathFull { capacity });
         }
-        said.ran(line::PUSH);
-        self.path.push(self.square);
-        self.peak = self.peak.max(self.path.len() as u32);
-        let cut = self.cut(said);
-        said.ran(line::FINISH);
+        let earlier = self.push();
+        tell.did(line::PUSH, self);
+        let cut = self.cut(earlier, tell);
         if look.sighting.finish == Finish::Yes {
-            said.is(case::FINISH);
+            tell.is(case::FINISH);
+            tell.did(line::FINISH, self);
             return Decision::End(Outcome::Finish);
         }
-        said.ran(line::FOLLOW);
-        said.is(match (look.home, cut) {
+        tell.no(line::FINISH, self);
+        tell.is(match (look.home, cut) {
             (Home::PutDown, _) => case::START,
             (_, false) => case::NEW,
             (_, true) => case::CUT,
         });
         let turn = look.first_of(&self.side.order());
         self.heading = self.heading.turned(turn);
+        tell.did(line::FOLLOW, self);
         Decision::Go(turn)
     }
 

@@ -14,7 +14,7 @@ use alloc::vec::Vec;
 use super::book::errata::{Erratum, Place};
 use super::hand::Side;
 use super::mind::{Plan, Robot};
-use super::tell::{Said, tail};
+use super::tell::{Tell, tail};
 use crate::event::{Decision, Finish, Home, Look, Outcome};
 use crate::geometry::Turn;
 
@@ -116,8 +116,8 @@ impl Sums {
         self.side
     }
 
-    fn junction(&mut self, look: Look, said: &mut Said) -> Turn {
-        said.all(&[line::ELSE, line::NEXT, line::TAKE, line::ADD, line::IF_USED]);
+    fn junction(&mut self, look: Look, tell: &mut impl Tell<Self>) -> Turn {
+        tell.yes(line::ELSE, self);
         // Below 1 there are no places; on the floor that cannot be.
         self.j = (self.j + 1).max(1);
         let place = self.j as usize - 1;
@@ -125,19 +125,24 @@ impl Sums {
             self.a.resize(place + 1, 0);
         }
         self.peak = self.peak.max(self.j as u32);
+        tell.did(line::NEXT, self);
         let turn = look.first_of(&self.side.order());
+        tell.did(line::TAKE, self);
         self.a[place] = (self.a[place] + code(turn)) % 4;
+        // Whatever was tried behind this junction belongs to another way of it.
+        self.a.truncate(place + 1);
+        tell.did(line::ADD, self);
         // The start is no junction that the robot came to: down is a way like the others there.
-        if self.a[place] == 0 && (look.home == Home::Away || self.j > 1) {
-            said.ran(line::CLEAR);
-            said.is(case::USED);
-            self.a.truncate(place);
-            self.j -= 2;
-        } else {
-            said.is(case::JUNCTION);
-            // Whatever was tried behind this junction belongs to another way of it.
-            self.a.truncate(place + 1);
+        if self.a[place] != 0 || (look.home != Home::Away && self.j <= 1) {
+            tell.is(case::JUNCTION);
+            tell.no(line::IF_USED, self);
+            return turn;
         }
+        tell.is(case::USED);
+        tell.yes(line::IF_USED, self);
+        self.a.truncate(place);
+        self.j -= 2;
+        tell.did(line::CLEAR, self);
         turn
     }
 }
@@ -164,29 +169,33 @@ pub const fn turn(sum: u8) -> Turn {
 }
 
 impl Robot for Sums {
-    fn decide(&mut self, look: Look, said: &mut Said) -> Decision {
-        said.ran(line::FINISH);
+    fn decide(&mut self, look: Look, tell: &mut impl Tell<Self>) -> Decision {
         if look.sighting.finish == Finish::Yes {
-            said.is(case::FINISH);
+            tell.is(case::FINISH);
+            tell.did(line::FINISH, self);
             return Decision::End(Outcome::Finish);
         }
-        said.ran(line::HOME);
+        tell.no(line::FINISH, self);
         if look.home == Home::Back && look.is_dead_end() && self.j <= 0 {
-            said.is(case::NONE);
+            tell.is(case::NONE);
+            tell.did(line::HOME, self);
             return Decision::End(Outcome::NoFinishReachable);
         }
-        said.ran(line::DEAD);
+        tell.no(line::HOME, self);
         if look.is_dead_end() {
-            said.is(case::DEAD);
             self.j -= 1;
+            tell.is(case::DEAD);
+            tell.did(line::DEAD, self);
             return Decision::Go(Turn::Back);
         }
-        said.ran(line::CORNER);
+        tell.no(line::DEAD, self);
         if !look.is_choice() {
-            said.is(if look.home == Home::PutDown { case::START } else { case::CORNER });
+            tell.is(if look.home == Home::PutDown { case::START } else { case::CORNER });
+            tell.did(line::CORNER, self);
             return Decision::Go(look.only_turn());
         }
-        Decision::Go(self.junction(look, said))
+        tell.no(line::CORNER, self);
+        Decision::Go(self.junction(look, tell))
     }
 
     fn fact(&self, key: &str, out: &mut String) {

@@ -1,4 +1,5 @@
-//! Words about a stop: each case of an explorer has one template, and the mind fills in its numbers.
+//! What a mind tells while it decides, and the words about it: of a whole stop the template of its case, with the
+//! mind's numbers; of a line before the last one what it asked or did ([`line`]).
 //!
 //! In a template, `*…*` is what matters, `` `…` `` a name of the source, and `{…}` a fact: `{turn}` and
 //! `{cells}` of the stop, all others of the mind after it.
@@ -7,11 +8,14 @@ use alloc::borrow::Cow;
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 
+use super::book::narrate::said::act;
 use super::book::narrate::{Narration, Span, Tone};
 use super::mind::Robot;
 use crate::event::{Decision, Look, Outcome};
 use crate::geometry::Turn;
 use crate::playback::Mark;
+
+pub mod line;
 
 /// What a stop can be.
 #[derive(Clone, Copy, Debug)]
@@ -50,24 +54,115 @@ impl Said {
         self.case
     }
 
-    /// This line ran.
-    pub(super) fn ran(&mut self, line: u8) {
+    /// The same up to a line.
+    #[must_use]
+    pub fn until(self, lines: u8) -> Self {
+        Self { count: self.count.min(lines), ..self }
+    }
+
+    fn note(&mut self, line: u8) {
         if let Some(place) = self.lines.get_mut(usize::from(self.count)) {
             *place = line;
             self.count += 1;
         }
     }
+}
 
-    /// These lines ran.
-    pub(super) fn all(&mut self, lines: &[u8]) {
-        for &line in lines {
-            self.ran(line);
+/// How a line ran.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ran {
+    /// It did what it says.
+    Did,
+    /// What it asks holds; nothing has changed.
+    Yes,
+    /// What it asks does not hold; nothing has changed.
+    No,
+    /// It looked for something and found nothing.
+    Nothing,
+}
+
+/// Hears what a mind does while it decides.
+///
+/// A line has run when its effect is there: a mind does what the line says, then tells it.
+pub trait Tell<M> {
+    /// A line of the listing ran, and this is the mind with what it did.
+    fn ran(&mut self, line: u8, ran: Ran, mind: &M);
+
+    /// It is this case; the last word counts.
+    fn is(&mut self, case: u8);
+
+    /// A line did what it says.
+    fn did(&mut self, line: u8, mind: &M) {
+        self.ran(line, Ran::Did, mind);
+    }
+
+    /// What a line asks holds.
+    fn yes(&mut self, line: u8, mind: &M) {
+        self.ran(line, Ran::Yes, mind);
+    }
+
+    /// What a line asks does not hold.
+    fn no(&mut self, line: u8, mind: &M) {
+        self.ran(line, Ran::No, mind);
+    }
+
+    /// A line looked for something and found nothing.
+    fn none(&mut self, line: u8, mind: &M) {
+        self.ran(line, Ran::Nothing, mind);
+    }
+}
+
+impl<M> Tell<M> for Said {
+    fn ran(&mut self, line: u8, _: Ran, _: &M) {
+        self.note(line);
+    }
+
+    fn is(&mut self, case: u8) {
+        self.case = case;
+    }
+}
+
+/// Looks into a mind when so many of its lines have run.
+#[derive(Clone, Debug)]
+pub struct Watch<M> {
+    lines: u8,
+    said: Said,
+    seen: Option<Seen<M>>,
+}
+
+/// A mind in the middle of a stop.
+#[derive(Clone, Debug)]
+pub struct Seen<M> {
+    /// How the last line ran.
+    pub ran: Ran,
+    /// What it left.
+    pub mind: M,
+}
+
+impl<M> Watch<M> {
+    /// Waits for so many lines.
+    #[must_use]
+    pub fn until(lines: u8) -> Self {
+        Self { lines, said: Said::default(), seen: None }
+    }
+
+    /// All that was told, and what was seen.
+    #[must_use]
+    pub fn done(self) -> (Said, Option<Seen<M>>) {
+        (self.said, self.seen)
+    }
+}
+
+impl<M: Clone> Tell<M> for Watch<M> {
+    fn ran(&mut self, line: u8, ran: Ran, mind: &M) {
+        self.said.note(line);
+        if self.said.count == self.lines && self.seen.is_none() {
+            self.seen = Some(Seen { ran, mind: mind.clone() });
         }
     }
 
-    /// It is this case; the last word counts.
-    pub(super) const fn is(&mut self, case: u8) {
-        self.case = case;
+    fn is(&mut self, case: u8) {
+        self.said.case = case;
     }
 }
 
@@ -189,16 +284,6 @@ impl Told<'_> {
                 Cow::Owned(text)
             }
         }
-    }
-}
-
-/// What the robot does.
-pub(super) const fn act(turn: Turn) -> &'static str {
-    match turn {
-        Turn::Straight => "drives straight on",
-        Turn::Right => "turns right",
-        Turn::Back => "turns round",
-        Turn::Left => "turns left",
     }
 }
 

@@ -8,14 +8,12 @@
 //! | two marks | never again |
 
 use alloc::string::{String, ToString};
-use alloc::vec::Vec;
 
 use super::book::errata::{Erratum, Place};
 use super::mind::{Plan, Robot};
-use super::places::{Places, Reckoning};
-use super::taste::Taste;
-use super::tell::Said;
-use crate::event::{Decision, Finish, Home, Look, Outcome};
+use super::node_search::{self, AtNodes, Heads, Searched, heads};
+use super::tell::Tell;
+use crate::event::{Decision, Home, Look};
 use crate::geometry::{Heading, Turn, Ways};
 use crate::settings::Order;
 
@@ -69,144 +67,112 @@ pub struct Node {
     pub marks: [u8; 4],
 }
 
-/// A robot with a piece of chalk.
+/// A robot with a piece of chalk. On its way, it keeps the nodes along the ways with one mark, and the heading with
+/// which each is come to: what a walk along them would find.
 #[derive(Clone, Debug)]
-pub struct Tremaux {
-    here: Reckoning,
-    places: Places,
-    nodes: Vec<Node>,
-    /// The nodes along the ways with one mark, and the heading with which each is come to: what a walk along
-    /// them would find.
-    way: Vec<(u32, Heading)>,
-    taste: Taste,
-    node: u32,
-}
+pub struct Tremaux(Searched<Node, (u32, Heading)>);
 
 impl Tremaux {
     /// A robot that has marked nothing yet; `epsilon` in milliseconds.
     #[must_use]
     pub fn new(order: Order, epsilon: u32) -> Self {
-        Self {
-            here: Reckoning::default(),
-            places: Places::new(epsilon),
-            nodes: Vec::new(),
-            way: Vec::new(),
-            taste: Taste::new(order),
-            node: 0,
-        }
+        Self(Searched::new(order, epsilon))
     }
 
-    /// The nodes, in the order in which they were met.
+    /// What it remembers.
     #[must_use]
-    pub fn nodes(&self) -> &[Node] {
-        &self.nodes
+    pub const fn memory(&self) -> &Searched<Node, (u32, Heading)> {
+        &self.0
     }
 
-    /// A node's coordinates, in milliseconds.
-    #[must_use]
-    pub fn coordinates(&self, node: u32) -> (i32, i32) {
-        self.places.coordinates(node)
+    /// Marks a way of the node that the robot stands on; how many marks it has now.
+    fn mark(&mut self, way: Heading) -> u8 {
+        let marks = &mut self.0.nodes[self.0.node as usize].marks[usize::from(way.index())];
+        *marks += 1;
+        *marks
     }
 
-    /// The node that the robot came to last.
-    #[must_use]
-    pub const fn node(&self) -> u32 {
-        self.node
-    }
-
-    fn at_node(&mut self, look: Look, said: &mut Said) -> Option<Turn> {
-        said.ran(line::NODE);
-        let heading = self.here.heading;
-        let known = self.places.find(self.here.x, self.here.y);
-        self.node = known.unwrap_or_else(|| {
-            let ways = look.sighting.ways.out_of_frame_of(heading);
-            self.nodes.push(Node { ways, marks: [0; 4] });
-            let node = self.places.push(self.here.x, self.here.y);
-            self.way.push((node, heading));
-            node
-        });
-        let node = &mut self.nodes[self.node as usize];
-        if look.home == Home::PutDown {
-            said.is(case::START);
-        } else {
-            let behind = &mut node.marks[usize::from(heading.opposite().index())];
-            *behind += 1;
-            said.ran(line::LOOP);
-            if known.is_some() && *behind == 1 {
-                *behind += 1;
-                said.is(case::LOOP);
-                return Some(Turn::Back);
-            }
-            said.is(if known.is_some() { case::NEXT } else { case::NEW });
-        }
-        said.ran(line::NONE);
-        let [a, b, c] = self.taste.order();
-        let order = [a, b, c, Turn::Back];
-        let mut take = |marks: u8| {
-            let turn = order.into_iter().find(|&turn| {
-                let way = heading.turned(turn);
-                node.ways.has(way) && node.marks[usize::from(way.index())] == marks
-            })?;
-            node.marks[usize::from(heading.turned(turn).index())] += 1;
-            Some(turn)
-        };
-        if let Some(turn) = take(0) {
-            return Some(turn);
-        }
-        said.ran(line::ONE);
-        let Some(turn) = take(1) else {
-            said.ran(line::STOP);
-            return None;
-        };
-        self.way.pop();
-        said.is(case::BACK);
-        Some(turn)
-    }
-
-    fn choose(&mut self, look: Look, said: &mut Said) -> Option<Turn> {
-        said.ran(line::HOME);
-        if look.home == Home::Back && look.is_dead_end() {
-            return None;
-        }
-        said.ran(line::DEAD);
-        if look.is_dead_end() {
-            said.is(case::DEAD);
-            return Some(Turn::Back);
-        }
-        said.ran(line::CORNER);
-        if look.is_choice() {
-            return self.at_node(look, said);
-        }
-        said.is(if look.home == Home::PutDown { case::START } else { case::CORNER });
-        Some(look.only_turn())
+    /// Turns into the first way of the order that has so many marks, and marks it.
+    fn take(&mut self, order: [Turn; 4], marks: u8) -> Option<Turn> {
+        let (node, heading) = (self.0.nodes[self.0.node as usize], self.0.here.heading);
+        let turn = order.into_iter().find(|&turn| {
+            let way = heading.turned(turn);
+            node.ways.has(way) && node.marks[usize::from(way.index())] == marks
+        })?;
+        self.mark(heading.turned(turn));
+        Some(self.0.turn(turn))
     }
 
     /// The turn at a node of the route that is entered with this heading: into its other way with one mark.
     fn turn(&self, node: u32, heading: Heading) -> Turn {
-        let marks = self.nodes[node as usize].marks;
+        let marks = self.0.nodes[node as usize].marks;
         let single = |turn: &Turn| marks[usize::from(heading.turned(*turn).index())] == 1;
         [Turn::Straight, Turn::Right, Turn::Left].into_iter().find(single).unwrap_or(Turn::Back)
     }
 }
 
-impl Robot for Tremaux {
-    fn decide(&mut self, look: Look, said: &mut Said) -> Decision {
-        self.here.drive(look.sighting.time_diff);
-        said.ran(line::FINISH);
-        if look.sighting.finish == Finish::Yes {
-            said.is(case::FINISH);
-            return Decision::End(Outcome::Finish);
+impl AtNodes for Tremaux {
+    const HEADS: Heads = heads!();
+
+    type Node = Node;
+    type OnWay = (u32, Heading);
+
+    fn searched(&mut self) -> &mut Searched<Node, (u32, Heading)> {
+        &mut self.0
+    }
+
+    fn at_node(&mut self, look: Look, tell: &mut impl Tell<Self>) -> Option<Turn> {
+        let heading = self.0.here.heading;
+        let known = self.0.known();
+        match known {
+            Some(node) => self.0.node = node,
+            None => {
+                let ways = look.sighting.ways.out_of_frame_of(heading);
+                self.0.record(Node { ways, marks: [0; 4] }, |node| (node, heading));
+            }
         }
-        let Some(turn) = self.choose(look, said) else {
-            said.is(case::NONE);
-            return Decision::End(Outcome::NoFinishReachable);
+        if look.home == Home::PutDown {
+            tell.is(case::START);
+            tell.did(line::NODE, self);
+        } else {
+            let marks = self.mark(heading.opposite());
+            tell.did(line::NODE, self);
+            if known.is_some() && marks == 1 {
+                self.mark(heading.opposite());
+                self.0.turn(Turn::Back);
+                tell.is(case::LOOP);
+                tell.did(line::LOOP, self);
+                return Some(Turn::Back);
+            }
+            tell.is(if known.is_some() { case::NEXT } else { case::NEW });
+            tell.no(line::LOOP, self);
+        }
+        let order = self.0.order();
+        if let Some(turn) = self.take(order, 0) {
+            tell.did(line::NONE, self);
+            return Some(turn);
+        }
+        tell.none(line::NONE, self);
+        let Some(turn) = self.take(order, 1) else {
+            tell.none(line::ONE, self);
+            tell.is(case::NONE);
+            tell.did(line::STOP, self);
+            return None;
         };
-        self.here.heading = self.here.heading.turned(turn);
-        Decision::Go(turn)
+        self.0.way.pop();
+        tell.is(case::BACK);
+        tell.did(line::ONE, self);
+        Some(turn)
+    }
+}
+
+impl Robot for Tremaux {
+    fn decide(&mut self, look: Look, tell: &mut impl Tell<Self>) -> Decision {
+        node_search::decide(self, look, tell)
     }
 
     fn fact(&self, _: &str, out: &mut String) {
-        let Some(node) = self.nodes.get(self.node as usize) else { return };
+        let Some(node) = self.0.nodes.get(self.0.node as usize) else { return };
         for (i, way) in node.ways.iter().enumerate() {
             out.push_str(if i > 0 { ", " } else { "" });
             out.push_str(way.word());
@@ -217,18 +183,18 @@ impl Robot for Tremaux {
 
     fn peak_bytes(&self) -> u32 {
         // Two ints of coordinates and four bytes of marks.
-        8 * self.nodes.len() as u32
+        8 * self.0.nodes.len() as u32
     }
 
     fn host_bytes(&self) -> usize {
-        self.places.bytes() + 5 * self.nodes.len() + 8 * self.way.len()
+        self.0.bytes()
     }
 
     fn node(&self, look: Look) -> Option<u32> {
-        look.is_choice().then_some(self.node + 1)
+        look.is_choice().then_some(self.0.node + 1)
     }
 
     fn plan(&self) -> Option<Plan> {
-        Some(Plan::Letters(self.way.iter().map(|&(node, heading)| self.turn(node, heading)).collect()))
+        Some(Plan::Letters(self.0.way.iter().map(|&(node, heading)| self.turn(node, heading)).collect()))
     }
 }

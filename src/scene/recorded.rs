@@ -7,6 +7,7 @@ use alloc::vec::Vec;
 use super::{Drive, NodeMark, Pose, Shown};
 use crate::explorer::flood_fill::INFINITE;
 use crate::explorer::mind::{Field, Mind, Plan, Robot};
+use crate::explorer::node_search::Searched;
 use crate::geometry::{Heading, Point};
 use crate::recording::Recording;
 use crate::trace::Moment;
@@ -57,14 +58,15 @@ pub fn nodes(recording: &Recording, mind: &Mind) -> Vec<NodeMark> {
         Mind::Mapping(map) => (0..map.total_points())
             .map(|number| NodeMark { number, at: on_floor(recording, map.cell(number)) })
             .collect(),
-        Mind::Tremaux(mind) => (0..mind.nodes().len() as u32)
-            .map(|node| NodeMark { number: node + 1, at: reckoned(recording, mind.coordinates(node)) })
-            .collect(),
-        Mind::DepthFirst(mind) => (0..mind.nodes().len() as u32)
-            .map(|node| NodeMark { number: node + 1, at: reckoned(recording, mind.coordinates(node)) })
-            .collect(),
+        Mind::Tremaux(mind) => searched(recording, mind.memory()),
+        Mind::DepthFirst(mind) => searched(recording, mind.memory()),
         Mind::Hand(_) | Mind::Sums(_) | Mind::Parex(_) | Mind::Cornell(_) | Mind::FloodFill(_) => Vec::new(),
     }
+}
+
+fn searched<N, W>(recording: &Recording, memory: &Searched<N, W>) -> Vec<NodeMark> {
+    let mark = |node| NodeMark { number: node + 1, at: reckoned(recording, memory.coordinates(node)) };
+    (0..memory.nodes().len() as u32).map(mark).collect()
 }
 
 /// Trémaux's marks on the floor: node, way, and how many.
@@ -73,8 +75,8 @@ pub fn marks(recording: &Recording, mind: &Mind) -> Vec<(Point, Heading, u8)> {
     let Mind::Tremaux(mind) = mind else { return Vec::new() };
     let north = recording.start().heading;
     let mut marks = Vec::new();
-    for (place, node) in (0u32..).zip(mind.nodes()) {
-        let at = reckoned(recording, mind.coordinates(place));
+    for (place, node) in (0u32..).zip(mind.memory().nodes()) {
+        let at = reckoned(recording, mind.memory().coordinates(place));
         for way in node.ways.iter().filter(|way| node.marks[usize::from(way.index())] > 0) {
             marks.push((at, way.out_of_frame_of(north), node.marks[usize::from(way.index())]));
         }

@@ -14,7 +14,7 @@ use crate::trace::{Frame, Trace};
 pub mod empty;
 mod end;
 mod line;
-mod said;
+pub(in crate::explorer) mod said;
 mod stop;
 
 /// The ground on which the case is shown.

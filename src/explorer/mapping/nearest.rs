@@ -4,12 +4,13 @@
 use alloc::collections::BinaryHeap;
 use alloc::vec::Vec;
 use core::cmp::Reverse;
+use core::fmt;
 
 use super::{Mapping, NONE, PREFERENCE};
 use crate::geometry::Heading;
 
 /// What a search leaves behind; nothing of it is remembered, so a copy begins with none.
-#[derive(Debug, Default)]
+#[derive(Default)]
 pub(super) struct Nearest {
     /// By point; what a search asks for together lies together.
     notes: Vec<Note>,
@@ -25,6 +26,12 @@ struct Note {
     met: u32,
     /// The search that found it on a shortest way to its target.
     on_way: u32,
+}
+
+impl fmt::Debug for Nearest {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("Nearest")
+    }
 }
 
 impl Clone for Nearest {

@@ -7,6 +7,7 @@
 
 use alloc::vec;
 use alloc::vec::Vec;
+use core::fmt;
 
 use super::{Aim, ORDER, VISITED};
 use crate::explorer::mind::Field;
@@ -18,8 +19,14 @@ pub(super) const BLANK: u8 = 0;
 const MET: u8 = 1 << 3;
 
 /// Squares to look at. Nothing of it is remembered, so a copy begins with none.
-#[derive(Debug, Default)]
+#[derive(Default)]
 pub(super) struct Queue(Vec<u32>);
+
+impl fmt::Debug for Queue {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("Queue")
+    }
+}
 
 impl Clone for Queue {
     fn clone(&self) -> Self {

@@ -9,10 +9,10 @@ use crate::geometry::{Heading, Turn, Ways};
 
 /// A sentence in the making.
 #[derive(Default)]
-pub(super) struct Said(Vec<Span>);
+pub(in crate::explorer) struct Said(Vec<Span>);
 
 /// A direction with the book's number.
-pub(super) const fn numbered(heading: Heading) -> &'static str {
+pub(in crate::explorer) const fn numbered(heading: Heading) -> &'static str {
     match heading {
         Heading::North => "north (0)",
         Heading::East => "east (1)",
@@ -22,7 +22,7 @@ pub(super) const fn numbered(heading: Heading) -> &'static str {
 }
 
 /// What the bot does.
-pub(super) const fn act(turn: Turn) -> &'static str {
+pub(in crate::explorer) const fn act(turn: Turn) -> &'static str {
     match turn {
         Turn::Straight => "drives straight on",
         Turn::Right => "turns right",
@@ -32,7 +32,7 @@ pub(super) const fn act(turn: Turn) -> &'static str {
 }
 
 /// The ways on that are seen at a stop; `ways` relative to the bot.
-pub(super) const fn sight(ways: Ways) -> &'static str {
+pub(in crate::explorer) const fn sight(ways: Ways) -> &'static str {
     match (ways.has(Heading::West), ways.has(Heading::North), ways.has(Heading::East)) {
         (false, false, false) => "no way on",
         (true, false, false) => "a way to the left",
@@ -46,54 +46,54 @@ pub(super) const fn sight(ways: Ways) -> &'static str {
 }
 
 impl Said {
-    pub(super) fn text(mut self, text: &'static str) -> Self {
+    pub(in crate::explorer) fn text(mut self, text: &'static str) -> Self {
         self.0.push(Span::Text(Cow::Borrowed(text)));
         self
     }
 
-    pub(super) fn strong(mut self, text: &'static str) -> Self {
+    pub(in crate::explorer) fn strong(mut self, text: &'static str) -> Self {
         self.0.push(Span::Strong(Cow::Borrowed(text)));
         self
     }
 
-    pub(super) fn code(mut self, text: &'static str) -> Self {
+    pub(in crate::explorer) fn code(mut self, text: &'static str) -> Self {
         self.0.push(Span::Code(Cow::Borrowed(text)));
         self
     }
 
-    pub(super) fn number(mut self, number: i64) -> Self {
+    pub(in crate::explorer) fn number(mut self, number: i64) -> Self {
         self.0.push(Span::Text(Cow::Owned(number.to_string())));
         self
     }
 
-    pub(super) fn node(mut self, m: u32) -> Self {
+    pub(in crate::explorer) fn node(mut self, m: u32) -> Self {
         self.0.push(Span::Node(m));
         self
     }
 
-    pub(super) fn way(mut self, node: u32, heading: Heading) -> Self {
+    pub(in crate::explorer) fn way(mut self, node: u32, heading: Heading) -> Self {
         self.0.push(Span::Way { node, heading });
         self
     }
 
-    pub(super) fn heading(self, heading: Heading) -> Self {
+    pub(in crate::explorer) fn heading(self, heading: Heading) -> Self {
         self.text(numbered(heading))
     }
 
     /// “**turns left**, to the west (3)”
-    pub(super) fn turn(self, turn: Turn, to: Heading) -> Self {
+    pub(in crate::explorer) fn turn(self, turn: Turn, to: Heading) -> Self {
         self.strong(act(turn)).text(", to the ").heading(to)
     }
 
     /// “nodes 1 to 6”, or “node 3” where there is one only.
-    pub(super) fn nodes(self, first: u32, last: u32) -> Self {
+    pub(in crate::explorer) fn nodes(self, first: u32, last: u32) -> Self {
         if first == last {
             return self.node(first);
         }
         self.text("nodes ").number(i64::from(first)).text(" to ").number(i64::from(last))
     }
 
-    pub(super) fn done(self) -> Vec<Span> {
+    pub(in crate::explorer) fn done(self) -> Vec<Span> {
         self.0
     }
 }
