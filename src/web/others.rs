@@ -12,6 +12,7 @@ use super::run_view::Same;
 use super::state::{Lab, Round, lab};
 use super::step::transport::Transport;
 use super::step::{CannotRun, Length, StageBar};
+use crate::recording::moment::At;
 use crate::world::CannotStart;
 
 pub mod choose;
@@ -24,7 +25,7 @@ mod scene;
 mod search;
 mod turns;
 
-use run::{At, OtherRun};
+use run::OtherRun;
 
 lazy! { others;
     /// The room.
@@ -85,7 +86,7 @@ impl Watched {
         });
         let at = Memo::new(move |_| {
             let moment = lab.moment.get();
-            run.with(|run| run.as_ref().ok().map(|run| Same::new(At::of(run, moment))))
+            run.with(|run| run.as_ref().ok().map(|run| Same::new(run.recording.moment(moment))))
         });
         Self { run, at }
     }

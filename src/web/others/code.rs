@@ -11,12 +11,7 @@ use crate::web::step::code::{books, pen, token};
 
 /// The card.
 pub fn card(watched: Watched) -> AnyView {
-    let lines = Memo::new(move |_| {
-        watched.at(|_, at| {
-            let ran: Vec<u8> = at.stop.said.lines()[..at.lines].to_vec();
-            (ran, at.next())
-        })
-    });
+    let lines = Memo::new(move |_| watched.at(|_, at| (at.ran_lines().to_vec(), at.next())));
     let last = move || lines.with(|(ran, _)| ran.last().copied());
     let list = NodeRef::<html::Ol>::new();
     // The line that ran stays in sight without moving the page.

@@ -1,5 +1,5 @@
-//! The explorer's own data structures at the moment, under the names of its source: one piece of markup, made of
-//! numbers and fixed words.
+//! The explorer's own data structures at the moment, under the names of its source, with what the last line (or
+//! stop) changed: one piece of markup, made of numbers and fixed words.
 
 use std::fmt::Write;
 
@@ -7,8 +7,11 @@ use leptos::html;
 use leptos::prelude::*;
 
 use super::Watched;
-use super::run::{At, OtherRun};
+use super::run::{OtherRun, is_end};
+use crate::explorer::depth_first::DepthFirst;
 use crate::explorer::mind::Mind;
+use crate::explorer::tremaux::Tremaux;
+use crate::recording::moment::At;
 use crate::web::erase::{mouse, part, sig};
 use crate::web::state::lab;
 use crate::web::step::look_up;
@@ -29,7 +32,7 @@ const SHOWN: usize = 60;
 /// The card.
 pub fn card(watched: Watched) -> AnyView {
     let mapped =
-        Memo::new(move |_| watched.at(|run, at| at.is_end(run) && matches!(at.mind, Mind::Mapping(_))));
+        Memo::new(move |_| watched.at(|run, at| is_end(run, at) && matches!(at.mind, Mind::Mapping(_))));
     let lab = lab();
     let body = NodeRef::<html::Div>::new();
     // The newest column stays in sight without moving the page.
@@ -73,29 +76,52 @@ const fn title(mind: &Mind) -> &'static str {
     }
 }
 
+/// The mind of this kind before, if there is one.
+macro_rules! before {
+    ($at:ident, $kind:ident) => {
+        $at.before.as_ref().and_then(|mind| if let Mind::$kind(mind) = mind { Some(mind) } else { None })
+    };
+}
+
 fn markup(run: &OtherRun, at: &At) -> String {
-    let before = (at.whole && at.stop.stop > 0).then(|| run.recording.at(at.stop.stop - 1).mind);
-    match (&at.mind, &before) {
-        (Mind::Hand(now), Some(Mind::Hand(before))) => letters::markup(now, Some(before), at.stop.decision),
-        (Mind::Hand(now), _) => letters::markup(now, None, at.stop.decision),
-        (Mind::Sums(mind), _) => sums::markup(mind),
-        (Mind::Mapping(mind), _) => columns::markup(mind, at.is_end(run)),
-        (Mind::Parex(now), Some(Mind::Parex(before))) => path::markup(now, Some(before)),
-        (Mind::Parex(now), _) => path::markup(now, None),
-        (Mind::Cornell(mind), _) => bytes::markup(mind),
-        (Mind::Tremaux(mind), _) => marks::markup(mind, run.recording.cell_ms()),
-        (Mind::DepthFirst(mind), _) => stack::markup(mind, run.recording.cell_ms()),
-        (Mind::FloodFill(mind), _) => flood::markup(mind, run.recording.from_start(at.stop.at)),
+    let mut markup = memory(run, at);
+    if markup.contains("changed\"") {
+        let since = if at.is_whole() { "changed at this stop" } else { "changed by this line" };
+        let _ = write!(markup, "<p class=\"keys small\"><span><i class=\"changed\"></i>{since}</span></p>");
+    }
+    markup
+}
+
+fn memory(run: &OtherRun, at: &At) -> String {
+    let cell_ms = run.recording.cell_ms();
+    match &at.mind {
+        Mind::Hand(now) => letters::markup(now, before!(at, Hand), at.stop.decision),
+        Mind::Sums(now) => sums::markup(now, before!(at, Sums)),
+        Mind::Mapping(now) => columns::markup(now, before!(at, Mapping), is_end(run, at)),
+        Mind::Parex(now) => path::markup(now, before!(at, Parex)),
+        Mind::Cornell(now) => bytes::markup(now, before!(at, Cornell)),
+        Mind::Tremaux(now) => marks::markup(now.memory(), before!(at, Tremaux).map(Tremaux::memory), cell_ms),
+        Mind::DepthFirst(now) => {
+            stack::markup(now.memory(), before!(at, DepthFirst).map(DepthFirst::memory), cell_ms)
+        }
+        Mind::FloodFill(now) => {
+            flood::markup(now, before!(at, FloodFill), run.recording.from_start(at.stop.at))
+        }
     }
 }
 
 /// A row of a table of columns: its name, then each cell with its class.
-fn row(markup: &mut String, name: &str, cells: impl IntoIterator<Item = (&'static str, String)>) {
+fn row(markup: &mut String, name: &str, cells: impl IntoIterator<Item = ([&'static str; 2], String)>) {
     let _ = write!(markup, "<tr><th scope=\"row\">{name}</th>");
-    for (class, cell) in cells {
-        let _ = write!(markup, "<td class=\"{class}\">{cell}</td>");
+    for ([class, changed], cell) in cells {
+        let _ = write!(markup, "<td class=\"{class}{changed}\">{cell}</td>");
     }
     markup.push_str("</tr>");
+}
+
+/// The class of a value that differs from what it was; nothing was before the start.
+fn changed<T: PartialEq>(now: T, before: Option<T>) -> &'static str {
+    if before.is_some_and(|before| before != now) { " changed" } else { "" }
 }
 
 /// How many items of a long list are not shown.

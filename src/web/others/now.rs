@@ -14,7 +14,7 @@ use crate::web::step::{ErratumNote, Length};
 /// The case and the sentences, of either round.
 pub fn said(watched: Watched, length: Length) -> AnyView {
     let lab = lab();
-    let told = move || -> Option<Narration> { watched.at(|run, at| Some(run.recording.narrate(&at.stop))) };
+    let told = move || -> Option<Narration> { watched.at(|run, at| Some(run.recording.tell(at))) };
     part(move || match lab.round.get() {
         Round::Solved => view! { <SaidSolved /> }.into_any(),
         Round::Explore => told()
@@ -35,7 +35,9 @@ pub fn said(watched: Watched, length: Length) -> AnyView {
 pub fn card(watched: Watched) -> AnyView {
     let lab = lab();
     let playing_fast = move || lab.playing().with(|playback| playback.is_playing() && playback.speed() > 2.0);
-    let over = Memo::new(move |_| lab.round.get() == Round::Explore && watched.at(|run, at| at.is_end(run)));
+    let over = Memo::new(move |_| {
+        lab.round.get() == Round::Explore && watched.at(|run, at| super::run::is_end(run, at))
+    });
     view! {
         <section class="card" aria-labelledby="now-title">
             <h2 id="now-title">"What just happened"<span class="spacer"></span><span class="small">{part(move || watched.of(|run| run.about().title))}</span></h2>
@@ -52,7 +54,7 @@ pub fn card(watched: Watched) -> AnyView {
 /// Where the source slips: those notes first that apply at this stop.
 fn errata(watched: Watched) -> AnyView {
     let here = Memo::new(move |_| {
-        watched.at(|run, at| at.errata(run).map(|erratum| erratum.title).collect::<Vec<_>>())
+        watched.at(|run, at| super::run::errata(run, at).map(|erratum| erratum.title).collect::<Vec<_>>())
     });
     let open = RwSignal::new(false);
     let told = move || match here.get().as_slice() {

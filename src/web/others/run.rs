@@ -1,18 +1,17 @@
-//! A run of any explorer but the book's, with all that the views ask of it, and a moment of it.
+//! A run of any explorer but the book's, with all that the views ask of it.
 
 use crate::explorer::book::errata::{self, Erratum, Walk};
-use crate::explorer::mind::Mind;
 use crate::explorer::name::{About, Name};
 use crate::maze::{Maze, samples};
 use crate::playback::{Mark, Timeline};
+use crate::recording::Recording;
 use crate::recording::driven::Driven;
-use crate::recording::{Recording, Stop};
+use crate::recording::moment::At;
 use crate::route::best::{self, Best};
 use crate::route::tally::Tally;
 use crate::route::{Drive, Strayed, TurnList};
 use crate::run::{self, AnyRun};
 use crate::settings::{Pace, Settings};
-use crate::trace::Moment;
 use crate::web::played::Played;
 use crate::web::run_view::{Same, is_figure};
 use crate::world::CannotStart;
@@ -133,43 +132,13 @@ impl Played for Same<OtherRun> {
     }
 }
 
-/// A moment of it.
-#[derive(Debug)]
-pub struct At {
-    /// The stop, as it is when it is over.
-    pub stop: Stop,
-    /// The mind at the moment: after the stop, or before it while its lines still run.
-    pub mind: Mind,
-    /// Whether all lines of the stop have run.
-    pub whole: bool,
-    /// How many of them.
-    pub lines: usize,
+/// The notes on the source that apply at a moment, when the stop is over.
+pub fn errata(run: &OtherRun, at: &At) -> impl Iterator<Item = &'static Erratum> + use<> {
+    let notes = errata::at_stop(run.about().errata, run.walk, at.stop.stop, &at.stop.said);
+    at.is_whole().then_some(notes).into_iter().flatten()
 }
 
-impl At {
-    /// Works it out.
-    pub fn of(run: &OtherRun, moment: Moment) -> Self {
-        let stop = run.recording.at(moment.stop);
-        let all = stop.said.lines().len();
-        let lines = usize::from(moment.lines).min(all);
-        let whole = stop.stop == 0 || lines == all;
-        let mind = if whole { stop.mind.clone() } else { run.recording.at(stop.stop - 1).mind };
-        Self { mind, whole, lines: if whole { all } else { lines }, stop }
-    }
-
-    /// The line that runs next at this stop.
-    pub fn next(&self) -> Option<u8> {
-        self.stop.said.lines().get(self.lines).copied()
-    }
-
-    /// The notes on the source that apply here.
-    pub fn errata(&self, run: &OtherRun) -> impl Iterator<Item = &'static Erratum> + use<> {
-        let notes = errata::at_stop(run.about().errata, run.walk, self.stop.stop, &self.stop.said);
-        self.whole.then_some(notes).into_iter().flatten()
-    }
-
-    /// Whether the run is over.
-    pub fn is_end(&self, run: &OtherRun) -> bool {
-        self.whole && self.stop.stop == run.recording.stops()
-    }
+/// Whether the run is over.
+pub fn is_end(run: &OtherRun, at: &At) -> bool {
+    at.is_whole() && at.stop.stop == run.recording.stops()
 }

@@ -6,9 +6,10 @@ use leptos::html;
 use leptos::prelude::*;
 
 use super::Watched;
-use super::run::{At, OtherRun};
+use super::run::OtherRun;
 use crate::geometry::{Point, Ways};
 use crate::recording::driven::Times;
+use crate::recording::moment::At;
 use crate::scene::{self, Pose, recorded};
 use crate::trace::Moment;
 use crate::web::erase::{part, sig};

@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use super::changed;
 use crate::explorer::cornell::Cornell;
 use crate::explorer::squares::{Squares, VISITED, wall};
 use crate::geometry::Heading;
@@ -12,14 +13,14 @@ const SIDE: usize = 60;
 const MOST: u32 = 12;
 
 /// The grid, the byte, and the map.
-pub fn markup(mind: &Cornell) -> String {
+pub fn markup(mind: &Cornell, before: Option<&Cornell>) -> String {
     let squares = mind.squares();
     let field = squares.field();
     let (x, y) = mind.position();
     let here = y.max(0) as usize * field.width as usize + x.max(0) as usize;
     let mut markup = String::new();
     if field.width <= MOST && field.height <= MOST {
-        markup.push_str(&grid(squares, here));
+        markup.push_str(&grid(squares, before.map(Cornell::squares), here));
     }
     let byte = squares.bytes().get(here).copied().unwrap_or(0);
     let _ = write!(
@@ -28,7 +29,8 @@ pub fn markup(mind: &Cornell) -> String {
     );
     for bit in (0..5).rev() {
         let on = byte >> bit & 1;
-        let _ = write!(markup, "<td class=\"on{on}\">{on}</td>");
+        let was = before.map(|before| before.squares().bytes().get(here).map_or(0, |byte| byte >> bit & 1));
+        let _ = write!(markup, "<td class=\"on{on}{}\">{on}</td>", changed(on, was));
     }
     let walls = Heading::ALL.into_iter().filter(|&heading| byte & wall(heading) != 0).count();
     let visited = if byte & VISITED == 0 { "not visited" } else { "visited" };
@@ -41,7 +43,8 @@ pub fn markup(mind: &Cornell) -> String {
         let (tx, ty) = mind.target();
         let _ = write!(
             markup,
-            "<p class=\"small\">On its route to <b>{tx},{ty}</b>: {} squares are left.</p>",
+            "<p class=\"small{}\">On its route to <b>{tx},{ty}</b>: {} squares are left.</p>",
+            changed(mind.route(), before.map(Cornell::route)),
             mind.route().len() + 1
         );
     }
@@ -77,7 +80,7 @@ fn visited(squares: &Squares, side: usize) -> String {
     data
 }
 
-fn grid(squares: &Squares, here: usize) -> String {
+fn grid(squares: &Squares, before: Option<&Squares>, here: usize) -> String {
     let (width, height) = (squares.field().width as usize, squares.field().height as usize);
     let mut markup = format!(
         "<svg class=\"mini grid\" viewBox=\"-24 -24 {} {}\" role=\"img\" aria-label=\"The byte of every square\"><path class=\"sq-visited\" d=\"{}\"/>",
@@ -99,12 +102,13 @@ fn grid(squares: &Squares, here: usize) -> String {
     );
     for (place, byte) in squares.bytes().iter().enumerate() {
         let (x, y) = (place % width * SIDE + SIDE / 2, place / width * SIDE + 26);
+        let changed = changed(Some(byte), before.map(|before| before.bytes().get(place)));
         if byte & VISITED == 0 {
             let _ = write!(markup, "<text class=\"byte un\" x=\"{x}\" y=\"{y}\">0</text>");
         } else {
             let _ = write!(
                 markup,
-                "<text class=\"byte\" x=\"{x}\" y=\"{y}\">1 {:04b}</text><text class=\"hex\" x=\"{x}\" y=\"{}\">{byte:02X}</text>",
+                "<text class=\"byte{changed}\" x=\"{x}\" y=\"{y}\">1 {:04b}</text><text class=\"hex\" x=\"{x}\" y=\"{}\">{byte:02X}</text>",
                 byte & 0b1111,
                 y + 18
             );

@@ -2,11 +2,11 @@
 
 use std::fmt::Write;
 
-use super::{SHOWN, earlier, row};
+use super::{SHOWN, changed, earlier, row};
 use crate::explorer::mapping::{Column, Mapping};
 
 /// The arrays; at the end the adjacency list too.
-pub fn markup(mind: &Mapping, over: bool) -> String {
+pub fn markup(mind: &Mapping, before: Option<&Mapping>, over: bool) -> String {
     let visits = mind.visits();
     let mut markup = earlier(visits);
     let columns: Vec<Column> =
@@ -23,7 +23,10 @@ pub fn markup(mind: &Mapping, over: bool) -> String {
         row(
             markup,
             name,
-            columns.iter().enumerate().map(|(i, column)| (class(i, column), of(column).to_string())),
+            columns.iter().enumerate().map(|(i, column)| {
+                let was = before.map(|before| before.column(visits - last + i).as_ref().map(of));
+                ([class(i, column), changed(Some(of(column)), was)], of(column).to_string())
+            }),
         );
     };
     markup.push_str("<table class=\"cols\" aria-label=\"Arrays, one column a visit\">");
@@ -35,7 +38,8 @@ pub fn markup(mind: &Mapping, over: bool) -> String {
     markup.push_str("</table><p class=\"keys small\"><span><i class=\"now\"></i>this visit</span><span><i class=\"same\"></i>the same point before</span><span><i class=\"open\"></i>ways left</span></p>");
     let _ = write!(
         markup,
-        "<p class=\"small\"><code>Total_points</code> {}; coordinates in cells</p>",
+        "<p class=\"small\"><code>Total_points</code> <b class=\"{}\">{}</b>; coordinates in cells</p>",
+        changed(mind.total_points(), before.map(Mapping::total_points)),
         mind.total_points()
     );
     if over {

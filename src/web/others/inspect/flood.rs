@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use super::changed;
 use crate::explorer::flood_fill::{FloodFill, INFINITE};
 use crate::explorer::squares::wall;
 use crate::geometry::{Heading, Point};
@@ -11,14 +12,17 @@ const MOST: u32 = 16;
 const SIDE: usize = 44;
 
 /// The numbers.
-pub fn markup(mind: &FloodFill, here: Point) -> String {
+pub fn markup(mind: &FloodFill, before: Option<&FloodFill>, here: Point) -> String {
     let squares = mind.squares();
     let field = squares.field();
     let number = match mind.number() {
         INFINITE => "∞".to_owned(),
         number => number.to_string(),
     };
-    let mut markup = format!("<p>Its own number: <b>{number}</b></p>");
+    let mut markup = format!(
+        "<p>Its own number: <b class=\"{}\">{number}</b></p>",
+        changed(mind.number(), before.map(FloodFill::number))
+    );
     if field.width > MOST || field.height > MOST {
         return markup
             + "<p class=\"small\">The field is large; the maze shows the numbers when it is zoomed in.</p>";
@@ -52,13 +56,15 @@ pub fn markup(mind: &FloodFill, here: Point) -> String {
             };
             let _ = write!(markup, "<path class=\"sq-walls thin\" d=\"{data}\"/>");
         }
+        let numbers = |mind: &FloodFill| mind.numbers().get(place).copied();
+        let changed = changed(numbers(mind), before.map(numbers));
         let number = match mind.numbers().get(place) {
             None | Some(&INFINITE) => "∞".to_owned(),
             Some(number) => number.to_string(),
         };
         let _ = write!(
             markup,
-            "<text class=\"byte\" x=\"{}\" y=\"{}\">{number}</text>",
+            "<text class=\"byte{changed}\" x=\"{}\" y=\"{}\">{number}</text>",
             x + SIDE / 2,
             y + SIDE / 2 + 5
         );

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use super::{SHOWN, earlier, row};
+use super::{SHOWN, changed, earlier, row};
 use crate::event::Decision;
 use crate::explorer::hand::Hand;
 use crate::geometry::Turn;
@@ -12,7 +12,8 @@ pub fn markup(now: &Hand, before: Option<&Hand>, decision: Decision) -> String {
     let mut markup = earlier(now.path().len());
     let first = now.path().len().saturating_sub(SHOWN);
     let last = now.path().len();
-    let class = |i: usize| if i + 1 == last { "now" } else { "" };
+    let differs = |i: usize| changed(now.path().get(i), before.map(|before| before.path().get(i)));
+    let class = |i: usize| [if i + 1 == last { "now" } else { "" }, differs(i)];
     let shown = || now.path().iter().enumerate().skip(first);
     markup.push_str("<table class=\"cols path\" aria-label=\"path\">");
     row(&mut markup, "n", shown().map(|(i, _)| (class(i), i.to_string())));

@@ -2,12 +2,15 @@
 
 use std::fmt::Write;
 
-use super::{SHOWN, earlier};
-use crate::explorer::tremaux::Tremaux;
+use super::{SHOWN, changed, earlier};
+use crate::explorer::node_search::Searched;
+use crate::explorer::tremaux::Node;
 use crate::geometry::Heading;
 
+type Memory = Searched<Node, (u32, Heading)>;
+
 /// The nodes, the newest last.
-pub fn markup(mind: &Tremaux, cell_ms: u32) -> String {
+pub fn markup(mind: &Memory, before: Option<&Memory>, cell_ms: u32) -> String {
     let nodes = mind.nodes();
     if nodes.is_empty() {
         return "<p class=\"small\">No node yet: there is nothing to mark.</p>".to_owned();
@@ -27,13 +30,17 @@ pub fn markup(mind: &Tremaux, cell_ms: u32) -> String {
         let _ = write!(markup, "<tr{here}><td>{}</td><td>{}, {}</td>", place + 1, cells(x), cells(y));
         for heading in Heading::ALL {
             let count = node.marks[usize::from(heading.index())];
+            let was = before.map(|before| {
+                before.nodes().get(place as usize).map(|node| node.marks[usize::from(heading.index())])
+            });
             let _ = match (node.ways.has(heading), count) {
                 (false, _) => write!(markup, "<td>·</td>"),
                 (true, count) => {
+                    let changed = changed(Some(count), was);
                     let chalk = ["", "|", "||"][usize::from(count.min(2))];
                     write!(
                         markup,
-                        "<td><b>{count}</b> <span class=\"chalked\" aria-hidden=\"true\">{chalk}</span></td>"
+                        "<td class=\"{changed}\"><b>{count}</b> <span class=\"chalked\" aria-hidden=\"true\">{chalk}</span></td>"
                     )
                 }
             };

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use super::{SHOWN, earlier, row};
+use super::{SHOWN, changed, earlier, row};
 use crate::explorer::parex::Parex;
 use crate::settings::Rule;
 
@@ -11,7 +11,11 @@ pub fn markup(now: &Parex, before: Option<&Parex>) -> String {
     let csip = now.csip();
     let cut: Vec<i32> = before
         .filter(|before| before.csip() >= csip)
-        .map(|before| before.path()[csip..].iter().copied().chain([now.square()]).collect())
+        .map(|before| {
+            let gone = before.path()[csip..].iter().copied();
+            // Before the stop, the square was not yet on the path.
+            gone.chain(Some(now.square()).filter(|&here| before.square() != here)).collect()
+        })
         .unwrap_or_default();
     let mut markup = String::new();
     let rule = match now.rule() {
@@ -20,22 +24,24 @@ pub fn markup(now: &Parex, before: Option<&Parex>) -> String {
     };
     let _ = write!(
         markup,
-        "<p><code>CSIP</code> = <b>{csip}</b> <span class=\"small\">· {rule} · up is {} more</span></p>",
+        "<p><code>CSIP</code> = <b class=\"{}\">{csip}</b> <span class=\"small\">· {rule} · up is {} more</span></p>",
+        changed(csip, before.map(Parex::csip)),
         now.numbering().width
     );
     markup.push_str(&earlier(csip));
     let first = csip.saturating_sub(SHOWN);
-    let class = |i: usize| if i + 1 == csip { "now" } else { "" };
+    let differs = |i: usize| changed(now.path().get(i), before.map(|before| before.path().get(i)));
+    let class = |i: usize| [if i + 1 == csip { "now" } else { "" }, differs(i)];
     let kept = || now.path().iter().enumerate().skip(first);
     let places = kept().map(|(i, _)| (class(i), (i + 1).to_string()));
-    let gone = (0..cut.len()).map(|i| ("cut", (csip + i + 1).to_string()));
+    let gone = (0..cut.len()).map(|i| (["cut", ""], (csip + i + 1).to_string()));
     markup.push_str("<table class=\"cols path\" aria-label=\"Path\">");
     row(&mut markup, "P", places.chain(gone));
     let squares = kept().map(|(i, square)| (class(i), square.to_string()));
     row(
         &mut markup,
         "Path(P)",
-        squares.chain(cut.iter().map(|square| ("cut", format!("<del>{square}</del> 0")))),
+        squares.chain(cut.iter().map(|square| (["cut", ""], format!("<del>{square}</del> 0")))),
     );
     markup.push_str("</table>");
     markup

@@ -2,11 +2,11 @@
 
 use std::fmt::Write;
 
-use super::{SHOWN, earlier, row};
+use super::{SHOWN, changed, earlier, row};
 use crate::explorer::sums::{Sums, turn};
 
 /// The array.
-pub fn markup(mind: &Sums) -> String {
+pub fn markup(mind: &Sums, before: Option<&Sums>) -> String {
     let mut markup = earlier(mind.a().len());
     let j = mind.j();
     let first = mind.a().len().saturating_sub(SHOWN);
@@ -18,12 +18,15 @@ pub fn markup(mind: &Sums) -> String {
     };
     let _ = write!(
         markup,
-        "<p><code>j</code> = <b>{j}</b> <span class=\"small\">· 1 right, 2 front, 3 left, 0 down</span></p>"
+        "<p><code>j</code> = <b class=\"{}\">{j}</b> <span class=\"small\">· 1 right, 2 front, 3 left, 0 down</span></p>",
+        changed(j, before.map(Sums::j))
     );
+    let sum = |mind: &Sums, i: i32| mind.a().get(i as usize - 1).copied();
+    let cell = move |i: i32| [class(i), changed(sum(mind, i), before.map(|before| sum(before, i)))];
     markup.push_str("<table class=\"cols\" aria-label=\"a\">");
-    row(&mut markup, "j", shown().map(|(i, _)| (class(i), i.to_string())));
-    row(&mut markup, "a[j]", shown().map(|(i, sum)| (class(i), sum.to_string())));
-    row(&mut markup, "turn", shown().map(|(i, sum)| (class(i), turn(sum).letter().to_string())));
+    row(&mut markup, "j", shown().map(|(i, _)| ([class(i), ""], i.to_string())));
+    row(&mut markup, "a[j]", shown().map(|(i, sum)| (cell(i), sum.to_string())));
+    row(&mut markup, "turn", shown().map(|(i, sum)| (cell(i), turn(sum).letter().to_string())));
     markup.push_str("</table>");
     if mind.a().is_empty() {
         markup.push_str("<p class=\"small\">No junction on the way here: the next one gives a[1].</p>");
