@@ -14,8 +14,10 @@ pub mod edit;
 pub mod file;
 pub mod generate;
 pub mod json;
+mod lines;
 pub mod micromouse;
 mod polyline;
+pub mod remark;
 pub mod samples;
 mod scale;
 pub mod svg;
@@ -23,6 +25,8 @@ pub mod text;
 pub mod walls;
 
 pub use bounds::{Bounds, BoundsError, MAX_COORDINATE, MAX_SIDE};
+pub use lines::Lines;
+pub use remark::{Reading, Remark};
 pub use scale::{Scale, ScaleError, millimetres};
 
 /// How a maze is drawn. The lattice underneath is the same: an open side between two squares of a walled

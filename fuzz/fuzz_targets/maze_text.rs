@@ -2,12 +2,12 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use line_maze_lab::maze::{file, text};
+use line_maze_lab::maze::{Reading, file, text};
 
 fuzz_target!(|bytes: &[u8]| {
     match file::read(bytes) {
         Err(error) => assert!(!error.to_string().is_empty()),
-        Ok(maze) => {
+        Ok(Reading { maze, .. }) => {
             assert_eq!(text::parse(&text::write(&maze)).as_ref(), Ok(&maze));
             assert_eq!(text::parse(&text::write_drawing(&maze)).as_ref(), Ok(&maze));
         }

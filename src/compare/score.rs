@@ -4,6 +4,7 @@ use alloc::string::{String, ToString};
 
 use core::cmp::Ordering;
 
+use super::words::ended;
 use crate::event::Outcome;
 use crate::explorer::name::Name;
 use crate::maze::Maze;
@@ -59,6 +60,8 @@ pub struct Score {
 pub enum NoRoute {
     /// It did not get that far.
     Ended(Outcome),
+    /// There is none to be found.
+    NoFinish,
     /// It saw everything, and no finish.
     NotSeen,
     /// What it remembers does not lead there.
@@ -100,6 +103,15 @@ impl Score {
     #[must_use]
     pub fn reason(&self) -> Option<String> {
         why_failed(self.outcome, self.route.err())
+    }
+
+    /// How it ended, in a word or two.
+    #[must_use]
+    pub fn ended(&self) -> String {
+        match (self.outcome, self.route) {
+            (Outcome::NoFinishReachable, Err(NoRoute::NoFinish)) => String::from("no finish"),
+            (outcome, _) => ended(outcome),
+        }
     }
 
     /// The route's cells over the shortest's.
@@ -208,6 +220,9 @@ pub(crate) fn judged(
     drive: Option<Result<Route, Strayed>>,
     outcome: Outcome,
 ) -> Result<Route, NoRoute> {
+    if maze.finish().is_empty() {
+        return Err(NoRoute::NoFinish);
+    }
     match (drive, outcome) {
         (Some(Ok(route)), _) => {
             let end = route.legs.last().map_or(route.start, |leg| leg.at);
@@ -231,9 +246,19 @@ pub(crate) fn judged(
 
 /// Why a run that ended so failed: table and report say the same.
 pub(crate) fn why_failed(outcome: Outcome, no_route: Option<NoRoute>) -> Option<String> {
+    match (outcome, no_route) {
+        (Outcome::Finish | Outcome::Mapped, why) => why.map(|why| why.to_string()),
+        (Outcome::NoFinishReachable, Some(why @ NoRoute::NoFinish)) => Some(why.to_string()),
+        (other, _) => Some(other.to_string()),
+    }
+}
+
+/// How a run through this maze ended: a finish that there is none of is not called out of reach.
+#[must_use]
+pub fn told(maze: &Maze, outcome: Outcome) -> String {
     match outcome {
-        Outcome::Finish | Outcome::Mapped => no_route.map(|why| why.to_string()),
-        other => Some(other.to_string()),
+        Outcome::NoFinishReachable if maze.finish().is_empty() => NoRoute::NoFinish.to_string(),
+        other => other.to_string(),
     }
 }
 
@@ -241,6 +266,7 @@ impl core::fmt::Display for NoRoute {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         match self {
             Self::Ended(outcome) => outcome.fmt(f),
+            Self::NoFinish => f.write_str("the file names no finish"),
             Self::NotSeen => f.write_str("everything is mapped, and no finish was seen"),
             Self::Strayed(strayed) => strayed.fmt(f),
         }

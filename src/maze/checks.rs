@@ -1,7 +1,10 @@
 //! What is in order in a maze and what is not, in sentences that name the place and the cure.
 
+mod cures;
 mod walls;
 mod words;
+
+pub use cures::{Cure, offered};
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -41,6 +44,13 @@ pub enum Finding {
         /// Along its line.
         along: Heading,
     },
+    /// In a walled maze, the start has several ways out and faces none of them.
+    StartFacesWall {
+        /// The start.
+        start: Start,
+        /// Its ways out.
+        open: Ways,
+    },
     /// There is no finish.
     NoFinish,
     /// A finish point is beside the lines, or a square with walls all round.
@@ -70,7 +80,7 @@ pub struct Piece {
 /// Something that is as it should be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum InOrder {
-    /// The start is at a line's end and faces along it; in a walled maze it is in a square with a way out.
+    /// The start is at a line's end and faces along it; in a walled maze it is in a square with one way out.
     Start(Start),
     /// A line leads from the start to the finish.
     Finish {
@@ -109,6 +119,7 @@ pub fn report(maze: &Maze) -> Report {
         Ok(start) => report.in_order.push(InOrder::Start(start)),
         Err(finding) => report.findings.push(finding),
     }
+    report.findings.extend(faces_wall(maze));
     finish(maze, &mut report);
     report.findings.extend(pieces.apart(maze).into_iter().map(Finding::Apart));
     report.findings.sort_by_key(Finding::severity);
@@ -121,19 +132,24 @@ pub fn check(maze: &Maze) -> Vec<Finding> {
     report(maze).findings
 }
 
-/// The start, if a robot can be put down there.
+/// The start, if the book's explorer can be put down there: a run begins where this finds nothing, but for a finish
+/// on the start.
 fn start(maze: &Maze) -> Result<Start, Finding> {
     let start = maze.start().ok_or(Finding::NoStart)?;
-    match maze.ways(start.at) {
-        Ways::NONE => Err(Finding::StartOffLine(start)),
-        // A mouse knows its square by counting: it may start anywhere.
-        _ if maze.kind == Kind::Wall => Ok(start),
-        ways => match ways.only() {
-            Some(along) if along == start.heading => Ok(start),
-            Some(along) => Err(Finding::StartFacesAway { start, along }),
-            None => Err(Finding::StartNotAtEnd { start, ways: ways.count() }),
-        },
+    let ways = maze.ways(start.at);
+    match ways.only() {
+        Some(along) if along == start.heading => Ok(start),
+        Some(along) => Err(Finding::StartFacesAway { start, along }),
+        None if ways.is_empty() => Err(Finding::StartOffLine(start)),
+        None => Err(Finding::StartNotAtEnd { start, ways: ways.count() }),
     }
+}
+
+/// A mouse that may start in any square, but looks at a wall there.
+fn faces_wall(maze: &Maze) -> Option<Finding> {
+    let start = maze.start().filter(|_| maze.kind == Kind::Wall)?;
+    let open = maze.ways(start.at);
+    (open.count() > 1 && !open.has(start.heading)).then_some(Finding::StartFacesWall { start, open })
 }
 
 fn finish(maze: &Maze, report: &mut Report) {

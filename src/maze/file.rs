@@ -1,11 +1,16 @@
 //! Any readable maze file: what it holds decides the format, not what it is called.
 
 use alloc::format;
-use alloc::string::String;
+use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 use core::fmt;
 
-use super::{Maze, json, micromouse, svg, text};
+use super::text::Place;
+use super::{Lines, Maze, Reading, Remark, json, micromouse, svg, text};
+
+mod seems;
+
+pub use seems::Seems;
 
 /// Why a file is no maze.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -18,47 +23,150 @@ pub enum ReadError {
     NotText {
         /// Offset from the file's beginning.
         at: usize,
+        /// What it seems to be instead.
+        seems: Option<Seems>,
     },
     /// It begins like JSON.
     Json(json::JsonError),
     /// It looks like a micromouse file.
     Micromouse(micromouse::MicromouseError),
-    /// It is none of the other formats, so it should be a `.maze` file.
+    /// It looks like a `.maze` file.
     Text(text::ParseError),
+    /// It looks like no format.
+    Unknown {
+        /// Where that is seen.
+        place: Place,
+        /// What it seems to be.
+        seems: Option<Seems>,
+    },
 }
 
 /// Reads a maze from a file's bytes.
 ///
+/// ```
+/// use line_maze_lab::maze::file;
+/// let reading = file::read(b"My maze:\n\n  o---o---o\n  | S   G |\n  o---o---o\n")?;
+/// let said: Vec<String> = reading.remarks.iter().map(ToString::to_string).collect();
+/// assert_eq!(said[0], "The maze begins in line 3; what stands before it was left out.");
+/// assert_eq!(said[1], "The maze is indented by 2 columns, which were left out.");
+/// # Ok::<(), file::ReadError>(())
+/// ```
+///
 /// # Errors
 /// Those of the format that the file seems to have.
-pub fn read(bytes: &[u8]) -> Result<Maze, ReadError> {
+pub fn read(bytes: &[u8]) -> Result<Reading, ReadError> {
     // Too much is said before it is looked at.
     if bytes.len() > json::MAX_BYTES {
         return Err(ReadError::TooLarge);
     }
-    if let Some(maze) = micromouse::read(bytes) {
-        return maze.map_err(ReadError::Micromouse);
+    if let Some(seems) = Seems::of_bytes(bytes) {
+        return Err(ReadError::NotText { at: 0, seems: Some(seems) });
     }
-    let text = core::str::from_utf8(bytes).map_err(|error| ReadError::NotText { at: error.valid_up_to() })?;
-    match TextFormat::of(text) {
-        None => Err(ReadError::Empty),
-        Some(TextFormat::Json) => json::parse(text).map_err(ReadError::Json),
-        Some(TextFormat::Text) => text::parse(text).map_err(ReadError::Text),
+    let text = match core::str::from_utf8(bytes) {
+        Ok(text) => text.strip_prefix('\u{feff}').unwrap_or(text),
+        Err(error) => {
+            let not_text = || Err(ReadError::NotText { at: error.valid_up_to(), seems: None });
+            return micromouse::read(bytes).map_or_else(not_text, |read| read.map_err(ReadError::Micromouse));
+        }
+    };
+    match text.trim_start().bytes().next() {
+        None => return Err(ReadError::Empty),
+        Some(b'{') => {
+            let maze = json::parse(text).map_err(ReadError::Json)?;
+            return Ok(Reading { maze, remarks: Vec::new() });
+        }
+        Some(b'[') => return json::read_list(text).map_err(ReadError::Json),
+        Some(_) => {}
+    }
+    if let Some(own) = Own::find(text) {
+        return own.read().map_err(ReadError::Text);
+    }
+    match micromouse::read(bytes) {
+        Some(Ok(reading)) => Ok(reading),
+        // Both kinds of drawings may begin alike.
+        Some(Err(_)) if Seems::is_lines(text) => Err(unknown(text)),
+        Some(Err(error)) => Err(ReadError::Micromouse(error)),
+        None => Err(unknown(text)),
     }
 }
 
-/// The text formats that are told apart by content.
-enum TextFormat {
-    Json,
-    Text,
+/// What is said of a text in no format: what it is by its beginning, or that its header has no first line.
+fn unknown(text: &str) -> ReadError {
+    let first = Lines::of(text).find(|(_, line)| !line.trim().is_empty());
+    let (line, words) = first.unwrap_or((1, ""));
+    if text::is_field(words)
+        && let Err(error) = text::parse(text)
+    {
+        return ReadError::Text(error);
+    }
+    let blanks = words.chars().take_while(|c| c.is_whitespace()).count();
+    ReadError::Unknown { place: Place { line, column: blanks as u32 + 1 }, seems: Seems::of_text(text) }
 }
 
-impl TextFormat {
-    fn of(text: &str) -> Option<Self> {
-        let text = text.strip_prefix('\u{feff}').unwrap_or(text).trim_start();
-        match text.bytes().next()? {
-            b'{' => Some(Self::Json),
-            _ => Some(Self::Text),
+/// A `.maze` file in a text, perhaps further down or to the right.
+struct Own<'t> {
+    text: &'t str,
+    /// The first line's blanks.
+    indent: &'t str,
+    /// Lines before it.
+    before: u32,
+    /// Whether something stands in them.
+    has_before: bool,
+}
+
+impl<'t> Own<'t> {
+    fn find(text: &'t str) -> Option<Self> {
+        let mut has_before = false;
+        for (line, words) in Lines::of(text) {
+            let header = words.trim_start_matches([' ', '\t']);
+            let found = header.starts_with(if has_before { "line-maze: " } else { "line-maze" });
+            if found {
+                let indent = &words[..words.len() - header.len()];
+                return Some(Self { text, indent, before: line - 1, has_before });
+            }
+            // What is a drawing from its beginning on is one, whatever follows it.
+            if !has_before && micromouse::begins(words) {
+                return None;
+            }
+            has_before |= !words.trim().is_empty();
+        }
+        None
+    }
+
+    fn read(&self) -> Result<Reading, text::ParseError> {
+        if self.before == 0 && self.indent.is_empty() {
+            return Ok(Reading { maze: text::parse(self.text)?, remarks: Vec::new() });
+        }
+        let mut own = String::with_capacity(self.text.len());
+        for (line, words) in Lines::of(self.text).skip(self.before as usize) {
+            if line > self.before + 1 {
+                own.push('\n');
+            }
+            let blanks = words.len() - words.trim_start_matches([' ', '\t']).len();
+            // A line that begins further to the left keeps what it has.
+            own.push_str(words.strip_prefix(self.indent).unwrap_or(&words[blanks..]));
+        }
+        let columns = self.indent.chars().count() as u32;
+        let maze = text::parse(&own).map_err(|error| error.moved(self.before, columns))?;
+        let line = self.before + 1;
+        let before = self.has_before.then_some(Remark::Before { line });
+        let indented = (columns > 0).then_some(Remark::Indented { columns, line });
+        Ok(Reading { maze, remarks: before.into_iter().chain(indented).collect() })
+    }
+}
+
+impl ReadError {
+    /// What it says about a file in no format, without the place; else all that it says.
+    #[must_use]
+    pub fn what(&self) -> String {
+        match self {
+            Self::Unknown { seems, .. } => seems::Told(*seems).to_string(),
+            Self::Empty
+            | Self::TooLarge
+            | Self::NotText { .. }
+            | Self::Json(_)
+            | Self::Micromouse(_)
+            | Self::Text(_) => self.to_string(),
         }
     }
 }
@@ -70,13 +178,17 @@ impl fmt::Display for ReadError {
             Self::TooLarge => {
                 write!(f, "The file is too large: a maze file has at most {} MiB.", json::MAX_BYTES >> 20)
             }
-            Self::NotText { at } => write!(
+            Self::NotText { at, seems: None } => write!(
                 f,
                 "Byte {at}: this is not text in UTF-8. A maze file is text; save it as UTF-8, or choose another file."
             ),
+            Self::NotText { at, seems: Some(seems) } => write!(f, "Byte {at}: {seems}."),
             Self::Json(error) => error.fmt(f),
             Self::Micromouse(error) => error.fmt(f),
             Self::Text(error) => error.fmt(f),
+            Self::Unknown { place: Place { line, column }, seems } => {
+                write!(f, "Line {line}, column {column}: {}.", seems::Told(*seems))
+            }
         }
     }
 }
@@ -84,7 +196,7 @@ impl fmt::Display for ReadError {
 impl core::error::Error for ReadError {
     fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
         match self {
-            Self::Empty | Self::TooLarge | Self::NotText { .. } => None,
+            Self::Empty | Self::TooLarge | Self::NotText { .. } | Self::Unknown { .. } => None,
             Self::Json(error) => Some(error),
             Self::Micromouse(error) => Some(error),
             Self::Text(error) => Some(error),

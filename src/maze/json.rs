@@ -12,14 +12,17 @@
 //! ```
 
 mod error;
+mod list;
 mod model;
 
 use alloc::format;
-use alloc::string::{String, ToString};
+use alloc::string::String;
 use alloc::vec::Vec;
 use core::fmt::Write;
 
+use error::value;
 pub use error::{JsonError, Problem};
+pub use list::{Bits, Layout, Lists, read as read_list};
 use model::{Document, Pair, PointJson};
 
 use super::polyline::{self, Segment, SegmentError};
@@ -123,10 +126,6 @@ fn point(raw: &PointJson, path: impl Fn() -> String) -> Result<Point, JsonError>
 fn on(bounds: Bounds, raw: &PointJson, path: impl Fn() -> String) -> Result<Point, JsonError> {
     let at = point(raw, &path)?;
     if bounds.contains(at) { Ok(at) } else { Err(value(&path(), Problem::Off { at, bounds })) }
-}
-
-fn value(path: &str, problem: Problem) -> JsonError {
-    JsonError::Value { path: path.to_string(), problem }
 }
 
 /// Writes a maze: a key a line, a polyline a line.

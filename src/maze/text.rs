@@ -21,6 +21,7 @@ use core::fmt::Write;
 
 pub use error::{ParseError, Place, Problem};
 use header::Pitch;
+pub(super) use header::is_field;
 
 use super::{Kind, Maze, Start};
 use crate::geometry::Point;
@@ -28,7 +29,8 @@ use crate::geometry::Point;
 /// The most bytes of a maze file: enough for a drawing of 1,000 × 1,000 points and a long note.
 pub const MAX_BYTES: usize = 4 << 20;
 
-/// Reads a maze file. Byte order mark, CRLF, trailing blanks and a missing last newline are no matter.
+/// Reads a maze file. Byte order mark, the kind of line ends, trailing blanks and a missing last newline are no
+/// matter.
 ///
 /// # Errors
 /// At the first thing that is wrong: its line and column, and what was expected there.
@@ -37,13 +39,13 @@ pub fn parse(text: &str) -> Result<Maze, ParseError> {
         return Err(Place::START.error(Problem::TooLarge { bytes: text.len() }));
     }
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-    let mut lines = Lines { rest: Some(text), number: 0 };
+    let mut lines = Lines(super::Lines::of(text));
     let header = header::read(&mut lines)?;
     let (first, body) = loop {
         match lines.next() {
             Some((_, "")) => {}
             Some((number, line)) => break (number, line),
-            None => return Err(Place { line: lines.number, column: 1 }.expected(BODY, "")),
+            None => return Err(Place { line: lines.number(), column: 1 }.expected(BODY, "")),
         }
     };
     let mut maze = if body == list::TITLE {
@@ -119,27 +121,23 @@ fn marks(start: Option<Start>, finish: &[Point]) -> String {
     text
 }
 
-/// The lines of a text with their numbers from 1, without their ends and without blanks before those.
+/// The lines of a file, also without the blanks at their ends.
 #[derive(Clone, Copy)]
-struct Lines<'a> {
-    rest: Option<&'a str>,
-    number: u32,
+struct Lines<'a>(super::Lines<'a>);
+
+impl Lines<'_> {
+    const fn number(&self) -> u32 {
+        self.0.number()
+    }
 }
 
 impl<'a> Iterator for Lines<'a> {
     type Item = (u32, &'a str);
 
     fn next(&mut self) -> Option<Self::Item> {
-        let rest = self.rest?;
-        let (line, rest) = match rest.split_once('\n') {
-            Some((line, rest)) => (line, Some(rest)),
-            None => (rest, None),
-        };
-        self.rest = rest;
-        self.number += 1;
-        Some((self.number, line.trim_end_matches(BLANKS)))
+        self.0.next().map(|(number, line)| (number, line.trim_end_matches(BLANKS)))
     }
 }
 
 /// What may stand at the end of a line unseen.
-const BLANKS: [char; 3] = [' ', '\t', '\r'];
+const BLANKS: [char; 2] = [' ', '\t'];

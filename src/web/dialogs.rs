@@ -117,6 +117,7 @@ pub fn Toasts() -> impl IntoView {
         lab.toast.set(None);
         match action {
             ToastAction::Undo => lab.undo(),
+            ToastAction::Cure(cure) => lab.cure(cure),
             ToastAction::Update => {
                 if let Ok(event) = web_sys::Event::new("linemaze:update-now") {
                     let _ = window().dispatch_event(&event);
@@ -127,7 +128,7 @@ pub fn Toasts() -> impl IntoView {
     // What was only told goes by itself; errors and questions stay.
     Effect::new(move |_| {
         let Some(toast) = lab.toast.get() else { return };
-        if toast.tone == ToastTone::Info && toast.action != Some(ToastAction::Update) {
+        if toast.passes() {
             set_timeout(
                 move || {
                     if lab.toast.try_get_untracked().flatten().as_ref() == Some(&toast) {
@@ -149,10 +150,13 @@ pub fn Toasts() -> impl IntoView {
                             {(!toast.title.is_empty()).then(|| view! { <b>{toast.title.clone()}</b> <br /> })}
                             {toast.text.clone()}
                         </p>
-                        {toast.action.map(|action| view! {
-                            <button class="btn" on:click=mouse(move |_| act(action))>
-                                {match action { ToastAction::Undo => "Undo", ToastAction::Update => "Use it" }}
-                            </button>
+                        {toast.action.map(|action| {
+                            let label = match &action {
+                                ToastAction::Undo => "Undo".to_owned(),
+                                ToastAction::Update => "Use it".to_owned(),
+                                ToastAction::Cure(cure) => cure.label.clone(),
+                            };
+                            view! { <button class="btn" on:click=mouse(move |_| act(action.clone()))>{label}</button> }
                         })}
                         <button class="btn icon" aria-label="Close the message" on:click=mouse(move |_| lab.toast.set(None))>{icons::close()}</button>
                     </div>

@@ -7,9 +7,9 @@ use web_sys::HtmlInputElement;
 
 use super::app::LINK;
 use super::lazy::{self, lazy};
-use super::state::{Lab, Room, ToastTone};
+use super::state::{Lab, Room, Toast, ToastAction, ToastTone};
 use super::{browser, keys};
-use crate::maze::{file, json};
+use crate::maze::{Reading, Remark, checks, file, json};
 use crate::share;
 
 /// Files dropped anywhere, and mazes pasted anywhere but into a field.
@@ -137,13 +137,32 @@ lazy! { files;
     }
 }
 
+/// Opens a maze that was read, says so, and how it was read; what it lacks is offered.
+pub fn opened(lab: Lab, said: String, Reading { maze, remarks }: Reading) {
+    let offered = checks::offered(&maze);
+    let mut words: Vec<String> = remarks.iter().map(ToString::to_string).collect();
+    if let Some((finding, _)) = &offered
+        && !remarks.contains(&Remark::NoFinish)
+    {
+        words.push(finding.cure_in(maze.kind));
+    }
+    lab.open(maze);
+    let toast = match offered {
+        None if words.is_empty() => Toast::done(said),
+        offered => Toast {
+            title: said,
+            text: words.join(" "),
+            tone: ToastTone::Remark,
+            action: Some(offered.map_or(ToastAction::Undo, |(_, cure)| ToastAction::Cure(cure))),
+        },
+    };
+    lab.toast.set(Some(toast));
+}
+
 lazy! { files;
     fn bytes_opened(lab: Lab, name: String, bytes: Vec<u8>) -> () {
         match file::read(&bytes) {
-            Ok(maze) => {
-                lab.open(maze);
-                lab.say(ToastTone::Info, "", format!("Opened {name}."));
-            }
+            Ok(reading) => opened(lab, format!("Opened {name}."), reading),
             Err(why) => lab.say(ToastTone::Error, format!("Can’t read {name}"), why.to_string()),
         }
     }

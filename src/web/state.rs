@@ -13,6 +13,7 @@ use super::storage;
 use crate::explorer::name::Name;
 use crate::geometry::Heading;
 use crate::maze::Maze;
+use crate::maze::checks::Cure;
 use crate::maze::edit::{Edit, History};
 use crate::playback::{Command, Motion, Playback, Timeline};
 use crate::settings::Settings;
@@ -264,6 +265,13 @@ impl Lab {
         self.edit(Edit::Replace(Box::new(maze)));
     }
 
+    /// Makes the edit that cures a finding; it can be taken back.
+    pub fn cure(self, cure: Cure) {
+        if self.edit(cure.edit) {
+            self.toast.set(Some(Toast::done(cure.done)));
+        }
+    }
+
     /// Opens what a link holds. It is not kept as the user's own until it is changed.
     pub fn borrow(self, shared: Shared) {
         self.open(shared.maze);
@@ -276,10 +284,8 @@ impl Lab {
 
     fn maze_changed(self) {
         self.borrowed.set(false);
-        // Its undo would take this change back, not the one that it speaks of.
-        if self.toast.with_untracked(|toast| {
-            toast.as_ref().is_some_and(|toast| toast.action == Some(ToastAction::Undo))
-        }) {
+        // It spoke of the maze before; its undo would take this change back.
+        if self.toast.with_untracked(|toast| toast.as_ref().is_some_and(Toast::is_about_maze)) {
             self.toast.set(None);
         }
         self.rewind();

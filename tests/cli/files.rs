@@ -76,3 +76,115 @@ fn a_league_gives_a_finish_to_files_that_name_none() {
     assert_eq!(outcomes(&csv(&[])), ["no-finish-reachable", "finish"]);
     assert_eq!(outcomes(&csv(&["--finish", "0,1"])), ["finish", "finish"]);
 }
+
+const FOREIGN: &str = "tests/fixtures/foreign";
+
+/// How a file was read is said where no program looks for results.
+#[test]
+fn how_a_file_was_read_is_said_on_standard_error() {
+    let path = format!("{FOREIGN}/unknown-walls.maze");
+    for command in ["run", "trace", "turns", "compare", "check"] {
+        let said = linemaze(&[command, &path]);
+        let line = format!("{path}:3:6: remark: 3 unknown walls were taken as walls.");
+        assert_eq!(said.err.lines().next(), Some(&line[..]), "{command}");
+        assert!(!said.out.contains("remark"), "{}", said.out);
+    }
+    let json = linemaze(&["run", &path, "--json"]);
+    assert!(serde_json::from_str::<serde_json::Value>(&json.out).is_ok(), "{}", json.out);
+    // What an option says need not be said of the file.
+    let num = format!("{FOREIGN}/no-finish.num");
+    assert_eq!(linemaze(&["run", &num, "--finish", "centre", "--start", "0,0,E"]).err, "");
+    assert_eq!(
+        linemaze(&["run", &num, "--start", "0,0,E"]).err,
+        format!("{num}: remark: The file names no finish.\n")
+    );
+}
+
+#[test]
+fn check_ends_well_where_there_are_only_warnings() {
+    // A square that is closed off, as half of the contests' mazes have.
+    let closed = "o---o---o---o\n| S   G |   |\no---o---o   o\n|       |   |\no---o---o---o\n";
+    let check = |args: &[&str], input: &str| with_input(&[&["check", "-"], args].concat(), input);
+    let apart = check(&[], closed);
+    assert_eq!(apart.status, 0, "{}", apart.out);
+    assert!(apart.out.contains("warning"), "{}", apart.out);
+    assert_eq!(check(&["--strict"], closed).status, 1);
+    for (maze, status, strict) in [
+        ("line-maze: 1\n\n>---F\n", 0, 0),
+        ("line-maze: 1\n\n>---+\n", 0, 1),
+        ("line-maze: 1\n\n>---+   F---F\n", 0, 1),
+        ("line-maze: 1\n\n^---F\n", 1, 1),
+        ("line-maze: 1\n\n+---F\n", 1, 1),
+        ("no maze", 2, 2),
+    ] {
+        assert_eq!((check(&[], maze).status, check(&["--strict"], maze).status), (status, strict), "{maze}");
+    }
+    let help = linemaze(&["check", "--help"]).out;
+    for part in ["--strict", "Exit status: 0 in order, or only warnings; 1 errors", "standard error"] {
+        assert!(help.contains(part), "{part}: {help}");
+    }
+}
+
+/// A start that the book's explorer cannot use: `check` calls it an error and `run` bad input, in every format.
+#[test]
+fn check_and_run_say_the_same_of_a_start() {
+    for (file, status, words) in [
+        ("start-faces-a-wall.map", 0, "facing east"),
+        ("start-with-two-ways.txt", 1, "Start has several ways out. 0,0 has 2 ways out"),
+        ("half-size.maz", 0, "Start is in a square with one way out: 0,0 facing north"),
+        ("rows-of-walls.json", 1, "Start has several ways out"),
+    ] {
+        let path = format!("{FOREIGN}/{file}");
+        let (check, run) = (linemaze(&["check", &path]), linemaze(&["run", &path]));
+        assert_eq!((check.status, run.status == 2), (status, status == 1), "{file}: {}", run.err);
+        assert!(check.out.contains(words), "{}", check.out);
+    }
+    let other = format!("{FOREIGN}/start-with-two-ways.txt");
+    assert_eq!(linemaze(&["run", &other, "--explorer", "flood-fill"]).status, 0, "others can start there");
+    assert_eq!(linemaze(&["run", &other, "--start", "1,1,W"]).status, 2, "two ways there too");
+}
+
+/// Nothing is out of reach that is not there.
+#[test]
+fn a_finish_that_no_file_names_is_not_called_out_of_reach() {
+    let path = format!("{FOREIGN}/no-finish.num");
+    let run = linemaze(&["run", &path]);
+    assert_eq!(run.status, 1);
+    assert!(run.out.contains("outcome      the file names no finish\n"), "{}", run.out);
+    for command in [&["trace"][..], &["turns"], &["compare"], &["run", "--json"]] {
+        let said = linemaze(&[&[command[0], &path], &command[1..]].concat());
+        let all = said.out + &said.err;
+        assert!(all.contains("the file names no finish"), "{command:?}: {all}");
+        assert!(!all.contains("no finish reachable"), "{command:?}: {all}");
+    }
+    let reachable = linemaze(&["run", "mazes/no-finish-reachable.maze"]).out;
+    assert!(reachable.contains("outcome      no finish reachable: "), "{reachable}");
+}
+
+/// Numbers and bytes have no finish but the centre: another one is left out where that is wanted.
+#[test]
+fn a_finish_off_the_centre_is_left_out_when_told_to() {
+    let from = format!("{FOREIGN}/goals-off-centre.txt");
+    let convert = |to: &str, more: &[&str]| {
+        let to = scratch(to);
+        linemaze(&[&["convert", &from, to.to_str().unwrap()], more].concat())
+    };
+    for to in ["left-out.num", "left-out.maz"] {
+        let refused = convert(to, &[]);
+        assert_eq!(refused.status, 2);
+        assert!(
+            refused.err.contains("leave it out, or write a .txt (--finish none leaves it out)"),
+            "{}",
+            refused.err
+        );
+        let written = convert(to, &["--finish", "none"]);
+        assert_eq!((written.status, written.err.as_str()), (0, ""));
+        let back = linemaze(&["run", scratch(to).to_str().unwrap(), "--finish", "3,3", "--json"]).out;
+        assert_eq!(back, linemaze(&["run", &from, "--finish", "3,3", "--json"]).out, "{to}");
+    }
+    assert_eq!(std::fs::read(scratch("left-out.maz")).unwrap().len(), 16, "4 × 4 squares");
+    let large = scratch("large.maz");
+    let half = format!("{FOREIGN}/half-size.maz");
+    assert_eq!(linemaze(&["convert", &half, large.to_str().unwrap()]).status, 0);
+    assert_eq!(std::fs::read(large).unwrap(), std::fs::read(half).unwrap());
+}

@@ -40,8 +40,8 @@ Examples:
   linemaze link-check --pty /dev/ttyACM0             whether a robot keeps the rules of PROTOCOL.md
 
 Exit status:
-  0  the finish was reached, all is mapped, the maze is clean, the file is written
-  1  the run ended elsewhere, or there are findings
+  0  the finish was reached, all is mapped, the maze has no errors, the file is written
+  1  the run ended elsewhere, or the maze has errors
   2  the arguments or the input make no sense; standard error says where: FILE:LINE:COLUMN: message";
 
 #[derive(Subcommand)]
@@ -68,8 +68,8 @@ pub(crate) enum Command {
     )]
     League(League),
     /// Say what is not in order in a maze, where, and what to do about it.
-    #[command(after_help = "Exit status: 0 nothing found, 1 findings, 2 unreadable.")]
-    Check(Input),
+    #[command(after_help = CHECK_STATUS)]
+    Check(Check),
     /// Make a maze from a seed and print it as a .maze file; the same options always give the same maze.
     #[command(
         after_help = "Example: linemaze generate --size 9x6 --loops 25% --dead-ends 80% --seed 1924 > mine.maze"
@@ -93,6 +93,13 @@ pub(crate) enum Command {
     )]
     LinkCheck(LinkCheck),
 }
+
+const CHECK_STATUS: &str = "\
+An error is what keeps the book's explorer from starting: no line, no start, a start that has several ways, faces none
+of them, or is the finish. All else is a warning: no finish, one out of reach, squares that are closed off.
+How a file was read that leaves something open is said on standard error.
+
+Exit status: 0 in order, or only warnings; 1 errors (with --strict: or warnings); 2 unreadable.";
 
 const RUN_STATUS: &str = "Exit status: 0 finish reached or all mapped, 1 any other outcome, 2 the input or the arguments make no sense.";
 
@@ -206,13 +213,23 @@ impl League {
     }
 }
 
+/// What `check` takes.
+#[derive(Args)]
+pub(crate) struct Check {
+    #[command(flatten)]
+    pub(crate) maze: Input,
+    /// Let warnings count too: status 1 for anything that is not in order
+    #[arg(long)]
+    pub(crate) strict: bool,
+}
+
 /// What `convert` takes.
 #[derive(Args)]
 pub(crate) struct Convert {
     #[arg(value_name = "IN", help = MAZE_HELP)]
     pub(crate) from: PathBuf,
     /// The file to write: .maze (text), .json (for programs), .svg (a picture in true size); walls also as
-    /// micromouse files: .txt (drawing), .map, .num (mms), .maz (256 bytes)
+    /// micromouse files: .txt (drawing), .map, .num (mms), .maz (bytes)
     #[arg(value_name = "OUT")]
     pub(crate) to: PathBuf,
     #[command(flatten)]

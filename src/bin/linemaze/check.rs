@@ -1,14 +1,17 @@
 //! `linemaze check`: what is not in order, where, and what to do.
+//!
+//! What keeps the book's explorer from starting is an error, as it is to `linemaze run`; everything else is a warning,
+//! for a maze may be meant so.
 
 use std::io::Write;
 
-use line_maze_lab::maze::checks::{self, Severity};
+use line_maze_lab::maze::checks::{self, Finding, Severity};
 
-use crate::args::Input;
+use crate::args::Check;
 use crate::{Failure, Status, files};
 
-/// Prints what was found; nothing found is good.
-pub(crate) fn check(input: &Input, out: &mut impl Write) -> Result<Status, Failure> {
+/// Prints what was found. Without errors it is good; with `--strict` only where there is nothing at all.
+pub(crate) fn check(Check { maze: input, strict }: &Check, out: &mut impl Write) -> Result<Status, Failure> {
     let maze = files::open(input)?;
     let report = checks::report(&maze);
     let name = files::name(&input.path);
@@ -34,5 +37,6 @@ pub(crate) fn check(input: &Input, out: &mut impl Write) -> Result<Status, Failu
     for fine in &report.in_order {
         writeln!(out, "  {}: {}", fine.title_in(maze.kind), fine.detail())?;
     }
-    Ok(if report.findings.is_empty() { Status::Good } else { Status::Bad })
+    let counts = |finding: &Finding| *strict || finding.severity() == Severity::Error;
+    Ok(if report.findings.iter().any(counts) { Status::Bad } else { Status::Good })
 }

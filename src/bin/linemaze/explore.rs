@@ -2,6 +2,7 @@
 
 use std::io::Write;
 
+use line_maze_lab::compare::score::told;
 use line_maze_lab::event::Outcome;
 use line_maze_lab::ink::Ink;
 use line_maze_lab::maze::Maze;
@@ -51,7 +52,7 @@ pub(crate) fn trace(args: &Explore, out: &mut impl Write) -> Result<Status, Fail
         }
     }
     if !args.json {
-        writeln!(out, "{}", run.outcome())?;
+        writeln!(out, "{}", told(&maze, run.outcome()))?;
     }
     Ok(status(&run))
 }
@@ -102,7 +103,7 @@ fn tell(maze: &Maze, run: &AnyRun, report: &Report, out: &mut impl Write) -> Res
     if !maze.about.title.is_empty() {
         writeln!(out, "{}", maze.about.title)?;
     }
-    writeln!(out, "outcome      {}", run.outcome())?;
+    writeln!(out, "outcome      {}", told(maze, run.outcome()))?;
     let Report { stops, decisions, distance_cells, distance_mm, seconds, .. } = report;
     let cells = count(distance_cells, "cell");
     writeln!(out, "exploration  {cells} ({distance_mm} mm) in {seconds:.1} s")?;

@@ -7,11 +7,12 @@ use std::path::Path;
 use line_maze_lab::maze::file::{self, Format, ReadError};
 use line_maze_lab::maze::generate;
 use line_maze_lab::maze::json::{self, JsonError};
-use line_maze_lab::maze::micromouse::Spot;
-use line_maze_lab::maze::{Maze, text};
+use line_maze_lab::maze::micromouse::{CannotSay, Spot};
+use line_maze_lab::maze::text::Place;
+use line_maze_lab::maze::{Maze, Reading, text};
 
 use crate::args::{Convert, Generate, Input, Marks};
-use crate::locate::{self, Place};
+use crate::locate;
 use crate::{Failure, Status};
 
 /// Reads the maze that a command takes, with start and finish where its options have them.
@@ -19,15 +20,23 @@ pub(crate) fn open(input: &Input) -> Result<Maze, Failure> {
     marked(&input.path, &input.marks)
 }
 
-/// A file's maze with other marks than its own.
+/// A file's maze with other marks than its own; what there is to say about it goes to standard error.
 pub(crate) fn marked(path: &Path, marks: &Marks) -> Result<Maze, Failure> {
-    let mut maze = read(path)?;
-    marks.put_on(&mut maze).map_err(|why| Failure::Message(format!("{}: {why}", name(path))))?;
+    let Reading { mut maze, remarks } = read(path)?;
+    let name = name(path);
+    // What an option says, the file need not.
+    for remark in remarks.iter().filter(|remark| !marks.settle(remark)) {
+        crate::complain(&match remark.place() {
+            Some(Place { line, column }) => format!("{name}:{line}:{column}: remark: {remark}"),
+            None => format!("{name}: remark: {remark}"),
+        });
+    }
+    marks.put_on(&mut maze).map_err(|why| Failure::Message(format!("{name}: {why}")))?;
     Ok(maze)
 }
 
-/// Reads a maze from a file, or from standard input where the path is `-`.
-pub(crate) fn read(path: &Path) -> Result<Maze, Failure> {
+/// Reads a file, or standard input where the path is `-`.
+pub(crate) fn read(path: &Path) -> Result<Reading, Failure> {
     let bytes = bytes(path).map_err(|error| Failure::Message(format!("{}: {error}", name(path))))?;
     file::read(&bytes).map_err(|error| {
         Failure::Message(match placed(&bytes, &error) {
@@ -56,11 +65,9 @@ fn bytes(path: &Path) -> io::Result<Vec<u8>> {
 
 /// Where in the file an error is, if it is at a place, and what it says without that.
 fn placed(bytes: &[u8], error: &ReadError) -> (Option<Place>, String) {
+    const START: Place = Place { line: 1, column: 1 };
     let (place, message) = match error {
-        ReadError::Text(error) => {
-            let place = Place { line: error.place.line as usize, column: error.place.column as usize };
-            (place, error.problem.to_string())
-        }
+        ReadError::Text(error) => (error.place, error.problem.to_string()),
         ReadError::Json(JsonError::Syntax { line, column, message }) => {
             (Place { line: *line, column: *column }, message.clone())
         }
@@ -70,16 +77,14 @@ fn placed(bytes: &[u8], error: &ReadError) -> (Option<Place>, String) {
         }
         // A byte's place is in the message: a binary file has no lines.
         ReadError::Micromouse(error) => match error.spot {
-            Spot::Text(place) => {
-                let place = Place { line: place.line as usize, column: place.column as usize };
-                (place, error.problem.to_string())
-            }
-            Spot::Byte(_) | Spot::File => (Place::START, error.to_string()),
+            Spot::Text(place) => (place, error.problem.to_string()),
+            Spot::Byte(_) | Spot::File => (START, error.to_string()),
         },
-        ReadError::NotText { at } => {
+        ReadError::NotText { at, .. } => {
             (Place::after(&String::from_utf8_lossy(&bytes[..*at])), error.to_string())
         }
-        ReadError::Empty => (Place::START, error.to_string()),
+        ReadError::Unknown { place, .. } => (*place, error.what()),
+        ReadError::Empty => (START, error.to_string()),
         // Nobody looked into it.
         ReadError::TooLarge | ReadError::Json(JsonError::TooLarge { .. }) => {
             return (None, error.to_string());
@@ -99,8 +104,10 @@ pub(crate) fn generate(args: &Generate, out: &mut impl Write) -> Result<Status, 
 pub(crate) fn convert(Convert { from, to, marks }: &Convert) -> Result<Status, Failure> {
     let format = format(to)?;
     let maze = marked(from, marks)?;
-    let bytes = file::write(&maze, format)
-        .map_err(|error| Failure::Message(format!("{}: cannot become {}: {error}", name(from), name(to))))?;
+    let bytes = file::write(&maze, format).map_err(|error| {
+        let option = if error == CannotSay::Finish { " (--finish none leaves it out)" } else { "" };
+        Failure::Message(format!("{}: cannot become {}: {error}{option}", name(from), name(to)))
+    })?;
     fs::write(to, bytes).map_err(|error| Failure::Message(format!("{}: {error}", to.display())))?;
     Ok(Status::Good)
 }

@@ -9,7 +9,7 @@ use line_maze_lab::compare::league::{
     Course, CourseResult, League, Standing, results_csv, standings, standings_csv,
 };
 use line_maze_lab::compare::score::Column;
-use line_maze_lab::maze::generate;
+use line_maze_lab::maze::{Reading, generate};
 use rayon::prelude::*;
 
 use crate::args::put_finish;
@@ -79,7 +79,7 @@ fn courses(args: &args::League) -> Result<(Vec<Course>, usize), Failure> {
     let Files { found, mut unreadable, .. } = Files::of(&args.mazes);
     for path in &found {
         match files::read(path) {
-            Ok(mut maze) => {
+            Ok(Reading { mut maze, .. }) => {
                 let name = files::name(path);
                 if maze.finish().is_empty() {
                     put_finish(&args.finish, &mut maze).map_err(|at| {

@@ -1,22 +1,7 @@
 //! Where in a JSON text a value is, for a path such as `lines[3][1]`: what a message needs to name line and
 //! column. The text is known to be JSON.
 
-/// A place in a text; both numbers count from 1, columns in characters.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Place {
-    pub(crate) line: usize,
-    pub(crate) column: usize,
-}
-
-impl Place {
-    pub(crate) const START: Self = Self { line: 1, column: 1 };
-
-    /// The place after this text.
-    pub(crate) fn after(text: &str) -> Self {
-        let last = text.rsplit('\n').next().unwrap_or_default();
-        Self { line: text.matches('\n').count() + 1, column: last.chars().count() + 1 }
-    }
-}
+use line_maze_lab::maze::text::Place;
 
 /// The place of a value; of the innermost one around it that there is.
 pub(crate) fn value(text: &str, path: &str) -> Place {

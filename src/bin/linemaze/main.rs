@@ -77,7 +77,7 @@ fn obey(command: &Command, out: &mut impl Write) -> Result<Status, Failure> {
         Command::Turns(args) => turns::turns(args, out),
         Command::Compare(args) => compare::compare(args, out),
         Command::League(args) => league::league(args, out),
-        Command::Check(input) => check::check(input, out),
+        Command::Check(args) => check::check(args, out),
         Command::Generate(args) => files::generate(args, out),
         Command::Convert(args) => files::convert(args),
         Command::Robot(args) => robot::robot(args, out),

@@ -220,7 +220,7 @@ impl Desk {
         for (name, content) in plan.files {
             let bytes = BASE64_STANDARD.decode(content).unwrap_or_default();
             match file::read(&bytes) {
-                Ok(maze) => courses.push(Course::File { name, maze }),
+                Ok(reading) => courses.push(Course::File { name, maze: reading.maze }),
                 Err(why) => refused.push((name, why.to_string())),
             }
         }

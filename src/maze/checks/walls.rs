@@ -1,4 +1,4 @@
-//! The findings in the words of walls: squares, openings, and mice that may start anywhere.
+//! The findings in the words of walls: squares, openings, and mice.
 
 use alloc::format;
 use alloc::string::String;
@@ -14,13 +14,14 @@ impl Finding {
             (Kind::Line, finding) => finding.title(),
             (Kind::Wall, Self::NoLines) => "No openings yet",
             (Kind::Wall, Self::StartOffLine(_)) => "Start is walled in",
+            (Kind::Wall, Self::StartNotAtEnd { .. }) => "Start has several ways out",
+            (Kind::Wall, Self::StartFacesAway { .. }) => "Start faces a wall",
             (Kind::Wall, Self::FinishOffLine(_)) => "Finish is walled in",
             (Kind::Wall, Self::Apart(_)) => "Squares apart from the rest",
             (
                 Kind::Wall,
                 same @ (Self::NoStart
-                | Self::StartNotAtEnd { .. }
-                | Self::StartFacesAway { .. }
+                | Self::StartFacesWall { .. }
                 | Self::NoFinish
                 | Self::FinishUnreachable { .. }
                 | Self::FinishOnStart(_)),
@@ -38,6 +39,17 @@ impl Finding {
             (Kind::Wall, Self::StartOffLine(start)) => {
                 format!("{} has walls all round. Open one, or move the start.", start.at)
             }
+            (Kind::Wall, Self::StartNotAtEnd { start, ways }) => format!(
+                "{} has {ways} ways out, so the book’s explorer could not know that it is back there. Close all but \
+                 one, move the start, or choose another explorer.",
+                start.at
+            ),
+            (Kind::Wall, Self::StartFacesAway { start, along }) => format!(
+                "The mouse at {} faces {}, where a wall is; its only way leads {}. Turn it.",
+                start.at,
+                start.heading.word(),
+                along.word()
+            ),
             (Kind::Wall, Self::NoFinish) => {
                 "Without a finish the mouse never arrives; mappers see everything. Put one in a square."
                     .into()
@@ -53,10 +65,7 @@ impl Finding {
             (Kind::Wall, Self::Apart(piece)) => {
                 format!("Those near {} can’t be reached. Open a wall to them, or close them off.", piece.near)
             }
-            (
-                Kind::Wall,
-                same @ (Self::StartNotAtEnd { .. } | Self::StartFacesAway { .. } | Self::FinishOnStart(_)),
-            ) => same.cure(),
+            (Kind::Wall, same @ (Self::StartFacesWall { .. } | Self::FinishOnStart(_))) => same.cure(),
         }
     }
 }
@@ -66,7 +75,7 @@ impl InOrder {
     #[must_use]
     pub const fn title_in(&self, kind: Kind) -> &'static str {
         match (kind, self) {
-            (Kind::Wall, Self::Start(_)) => "Start is in a square",
+            (Kind::Wall, Self::Start(_)) => "Start is in a square with one way out",
             (Kind::Line, Self::Start(_)) | (_, Self::Finish { .. }) => self.title(),
         }
     }
@@ -95,10 +104,23 @@ mod tests {
     }
 
     #[test]
-    fn a_mouse_may_start_in_any_square() {
-        let fine =
-            ["Start is in a square: 1,0 facing north", "Finish can be reached: 3,0 · 2 cells from the start"];
-        assert_eq!(found("\n+---^---+---F\n"), fine);
+    fn a_start_is_judged_as_the_run_judges_it() {
+        let fine = [
+            "Start is in a square with one way out: 0,0 facing east",
+            "Finish can be reached: 2,0 · 2 cells from the start",
+        ];
+        assert_eq!(found("\n>---+---F\n"), fine);
+        assert_eq!(
+            found("\n^---+---F\n")[0],
+            "Error: Start faces a wall. The mouse at 0,0 faces north, where a wall is; its only way leads east. Turn it."
+        );
+        assert_eq!(
+            found("\n+---^---F\n")[..2],
+            [
+                "Error: Start has several ways out. 1,0 has 2 ways out, so the book’s explorer could not know that it is back there. Close all but one, move the start, or choose another explorer.",
+                "Warning: Start faces a wall. The mouse at 1,0 faces north, where a wall is; it can go east or west. Turn it.",
+            ]
+        );
     }
 
     #[test]
@@ -111,11 +133,11 @@ mod tests {
             ]
         );
         assert_eq!(
-            found("\n^---+   F---+\n"),
+            found("\n>---+   F---+\n"),
             [
                 "Warning: Finish can’t be reached. No way leads from the start to 2,0. Open a wall, or move the finish.",
                 "Warning: Squares apart from the rest. Those near 3,0 can’t be reached. Open a wall to them, or close them off.",
-                "Start is in a square: 0,0 facing north",
+                "Start is in a square with one way out: 0,0 facing east",
             ]
         );
         assert_eq!(

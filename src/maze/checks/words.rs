@@ -4,7 +4,7 @@ use alloc::format;
 use alloc::string::{String, ToString};
 
 use super::{Finding, InOrder, Severity};
-use crate::geometry::Point;
+use crate::geometry::{Point, Ways};
 use crate::maze::Bounds;
 
 impl Finding {
@@ -18,9 +18,11 @@ impl Finding {
             | Self::StartNotAtEnd { .. }
             | Self::StartFacesAway { .. }
             | Self::FinishOnStart(_) => Severity::Error,
-            Self::NoFinish | Self::FinishOffLine(_) | Self::FinishUnreachable { .. } | Self::Apart(_) => {
-                Severity::Warning
-            }
+            Self::StartFacesWall { .. }
+            | Self::NoFinish
+            | Self::FinishOffLine(_)
+            | Self::FinishUnreachable { .. }
+            | Self::Apart(_) => Severity::Warning,
         }
     }
 
@@ -32,6 +34,7 @@ impl Finding {
             Self::StartOffLine(_) => "Start is not on a line",
             Self::StartNotAtEnd { .. } => "Start is not at a line’s end",
             Self::StartFacesAway { .. } => "Start faces off its line",
+            Self::StartFacesWall { .. } => "Start faces a wall",
             Self::NoFinish => "No finish",
             Self::FinishOffLine(_) => "Finish is not on a line",
             Self::FinishUnreachable { .. } => "Finish can’t be reached",
@@ -62,6 +65,12 @@ impl Finding {
                 start.heading.word(),
                 along.word(),
                 along.word()
+            ),
+            Self::StartFacesWall { start, open } => format!(
+                "The mouse at {} faces {}, where a wall is; it can go {}. Turn it.",
+                start.at,
+                start.heading.word(),
+                any_of(*open)
             ),
             Self::NoFinish => {
                 "Without a finish the robot drives every line and comes back. Put one on a line.".to_string()
@@ -94,7 +103,8 @@ impl Finding {
             Self::NoLines | Self::NoStart | Self::NoFinish => None,
             Self::StartOffLine(start)
             | Self::StartNotAtEnd { start, .. }
-            | Self::StartFacesAway { start, .. } => around(&[start.at]),
+            | Self::StartFacesAway { start, .. }
+            | Self::StartFacesWall { start, .. } => around(&[start.at]),
             Self::FinishOffLine(at) | Self::FinishOnStart(at) => around(&[*at]),
             Self::FinishUnreachable { finish } => around(finish),
             Self::Apart(piece) => Some(piece.place),
@@ -121,7 +131,22 @@ impl InOrder {
     }
 }
 
+/// `north`, `north or east`, `north, east or west`.
+fn any_of(ways: Ways) -> String {
+    let mut words = String::new();
+    let count = ways.count() as usize;
+    for (nth, heading) in ways.iter().enumerate() {
+        words.push_str(match nth {
+            0 => "",
+            last if last + 1 == count => " or ",
+            _ => ", ",
+        });
+        words.push_str(heading.word());
+    }
+    words
+}
+
 /// `1 cell`, `3 cells`.
-fn cells(count: usize) -> String {
+pub(super) fn cells(count: usize) -> String {
     format!("{count} cell{}", if count == 1 { "" } else { "s" })
 }

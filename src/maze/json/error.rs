@@ -9,7 +9,8 @@ use serde_json::error::Category;
 use super::{MAX_BYTES, model};
 use crate::geometry::Point;
 use crate::grouped::Grouped;
-use crate::maze::{Bounds, BoundsError, ScaleError};
+use crate::maze::text::Place;
+use crate::maze::{Bounds, BoundsError, ScaleError, micromouse};
 
 /// Why JSON is no maze.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -22,9 +23,9 @@ pub enum JsonError {
     /// No JSON, or a key or type that is not a maze's.
     Syntax {
         /// From 1.
-        line: usize,
+        line: u32,
         /// In characters, from 1.
-        column: usize,
+        column: u32,
         /// What is wrong.
         message: String,
     },
@@ -66,6 +67,28 @@ pub enum Problem {
         /// Where it would end.
         to: Point,
     },
+    /// A list of numbers that are not the squares of a square.
+    NotSquares {
+        /// How many there are.
+        numbers: usize,
+    },
+    /// Among lists of walls, something that is no list.
+    NoList,
+    /// No number from 0 to 15.
+    NoWalls,
+    /// A list of walls that is not as long as the first one.
+    Uneven {
+        /// Its numbers.
+        numbers: usize,
+        /// The first one's.
+        first: usize,
+    },
+    /// No order of the lists makes a maze; what is wrong in the usual one.
+    NoOrder(micromouse::Problem),
+    /// Two orders of the lists make different mazes.
+    Ambiguous,
+    /// What is wrong in a grid of 0 and 1.
+    Grid(micromouse::Problem),
 }
 
 impl fmt::Display for JsonError {
@@ -80,6 +103,7 @@ impl fmt::Display for JsonError {
                 )
             }
             Self::Syntax { line, column, message } => write!(f, "Line {line}, column {column}: {message}."),
+            Self::Value { path, problem } if path.is_empty() => write!(f, "{problem}."),
             Self::Value { path, problem } => write!(f, "{path}: {problem}."),
         }
     }
@@ -87,12 +111,17 @@ impl fmt::Display for JsonError {
 
 impl core::error::Error for JsonError {}
 
-/// The JSON reader's error in our words, with the place in characters instead of bytes.
+pub(super) fn value(path: &str, problem: Problem) -> JsonError {
+    JsonError::Value { path: path.to_string(), problem }
+}
+
+/// The JSON reader's error in our words, with the place in characters instead of bytes. To it, only LF ends a line.
 pub(super) fn syntax(text: &str, error: &serde_json::Error) -> JsonError {
-    let line = error.line().max(1);
-    let before = text.lines().nth(line - 1).unwrap_or_default();
-    let bytes = before.len().min(error.column().saturating_sub(1));
-    let column = before.char_indices().take_while(|&(at, _)| at < bytes).count() + 1;
+    let ends = text.match_indices('\n').map(|(at, _)| at + 1);
+    let from = core::iter::once(0).chain(ends).nth(error.line().saturating_sub(1)).unwrap_or(text.len());
+    let at = (from + error.column().saturating_sub(1)).min(text.len());
+    let at = (at..=text.len()).find(|&at| text.is_char_boundary(at)).unwrap_or(text.len());
+    let Place { line, column } = Place::after(&text[..at]);
     let mut message = error.to_string();
     if let Some(place) = message.rfind(" at line ") {
         message.truncate(place);
@@ -145,6 +174,28 @@ impl fmt::Display for Problem {
                 f,
                 "lines go along the axes, and {from} to {to} is slanted; add the corner between them"
             ),
+            Self::NotSquares { numbers } => write!(
+                f,
+                "This seems to be a list of walls, but its {numbers} numbers make no square maze; write a list \
+                 for each row, or a number for each square (256 for 16 × 16)"
+            ),
+            Self::NoList => f.write_str("a list of numbers was expected, as the others are"),
+            Self::NoWalls => f.write_str(
+                "in a list of walls a square is a number from 0 to 15 (north 1, east 2, south 4, west 8)",
+            ),
+            Self::Uneven { numbers, first } => {
+                let s = if numbers == 1 { "" } else { "s" };
+                write!(f, "this list has {numbers} number{s} and the first one {first}; make them equal")
+            }
+            Self::NoOrder(wrong) => write!(
+                f,
+                "the numbers (north 1, east 2, south 4, west 8) make no maze in any order; as rows from the north, \
+                 {wrong}"
+            ),
+            Self::Ambiguous => f.write_str(
+                "the numbers can be read as rows or as columns, and make different mazes; write a .num file instead",
+            ),
+            Self::Grid(wrong) => write!(f, "in a grid of 0 (open) and 1 (closed), {wrong}"),
         }
     }
 }

@@ -3,6 +3,7 @@
 use core::fmt;
 
 use crate::geometry::{Heading, Point};
+use crate::grouped::Grouped;
 use crate::maze::BoundsError;
 use crate::maze::text::Place;
 
@@ -69,6 +70,17 @@ pub enum Problem {
         /// Where it was first.
         first: Place,
     },
+    /// The start is in two places.
+    AnotherStart,
+    /// A line that begins further to the left than the drawing.
+    Margin {
+        /// Blanks before the drawing's first line.
+        columns: usize,
+    },
+    /// A way through the outer wall of a grid.
+    Gap,
+    /// A grid of walls only.
+    NoInside,
     /// A square is there twice.
     SecondSquare {
         /// The square.
@@ -81,7 +93,7 @@ pub enum Problem {
         /// The square.
         square: Point,
     },
-    /// A binary file that has not 256 bytes.
+    /// A binary file whose bytes are not the squares of a square.
     Length {
         /// How many it has.
         bytes: usize,
@@ -96,10 +108,16 @@ pub enum Problem {
 /// What a reader expects.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Expected {
-    /// A post at every fourth column of every second line.
-    Post,
-    /// Three dashes or three spaces between posts.
-    Dashes,
+    /// A post, so many columns after the one before it.
+    Post {
+        /// Columns from post to post.
+        columns: usize,
+    },
+    /// So many dashes or spaces between posts.
+    Dashes {
+        /// Columns between them.
+        columns: usize,
+    },
     /// A wall's bar or a space.
     Bar,
     /// The outer wall that a line of squares begins with.
@@ -118,13 +136,33 @@ pub enum Expected {
     Flag,
     /// The end of the line after six numbers.
     LineEnd,
+    /// A place of a grid.
+    GridPlace,
 }
 
-impl Expected {
-    const fn words(self) -> &'static str {
-        match self {
-            Self::Post => "a post (“o” or “+”, at every fourth column)",
-            Self::Dashes => "a wall of three dashes or three spaces",
+impl fmt::Display for Expected {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match *self {
+            Self::Post { columns } => {
+                let every = match columns {
+                    2 => "second",
+                    3 => "third",
+                    4 => "fourth",
+                    5 => "fifth",
+                    _ => "sixth",
+                };
+                return write!(f, "a post (“o” or “+”, at every {every} column)");
+            }
+            Self::Dashes { columns: 1 } => "a wall (“-”) or a space",
+            Self::Dashes { columns } => {
+                let many = match columns {
+                    2 => "two",
+                    3 => "three",
+                    4 => "four",
+                    _ => "five",
+                };
+                return write!(f, "a wall of {many} dashes or {many} spaces");
+            }
             Self::Bar => "a wall (“|”) or a space",
             Self::FirstBar => "“|” (the outer wall)",
             Self::Mark => "“S”, “G” or a space (the middle of a square)",
@@ -134,7 +172,8 @@ impl Expected {
             Self::Number => "a whole number from 0 to 999 (a line is X Y N E S W)",
             Self::Flag => "0 (open) or 1 (wall)",
             Self::LineEnd => "the end of the line after X Y N E S W",
-        }
+            Self::GridPlace => "“#” (a wall), a space, “S” or “G”",
+        })
     }
 }
 
@@ -166,7 +205,7 @@ impl fmt::Display for Problem {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
             Self::Expected { what, found } => {
-                write!(f, "{} was expected, ", what.words())?;
+                write!(f, "{what} was expected, ")?;
                 match found {
                     None => f.write_str("but there is nothing"),
                     Some('\t') => f.write_str("not a tab"),
@@ -199,6 +238,16 @@ impl fmt::Display for Problem {
                 "the start is given in line {}, column {} already; leave one “S”",
                 first.line, first.column
             ),
+            Self::AnotherStart => f.write_str("there is another start besides; leave one “S”"),
+            Self::Margin { columns } => write!(
+                f,
+                "the drawing begins after {columns} blanks and this line further to the left; begin all lines \
+                 alike"
+            ),
+            Self::Gap => f.write_str("the outer wall is open here; close it, a maze has walls all round"),
+            Self::NoInside => {
+                f.write_str("there is no square between the walls; draw three places at least each way")
+            }
             Self::SecondSquare { square, first } => {
                 write!(f, "square {square} is given in line {first} already; leave one of them")
             }
@@ -211,7 +260,9 @@ impl fmt::Display for Problem {
             }
             Self::Length { bytes } => write!(
                 f,
-                "This looks like a binary .maz file, which has 256 bytes (16 × 16 squares); this one has {bytes}"
+                "This looks like a binary .maz file, which has a byte for each square of a square maze (256 for \
+                 16 × 16, 1,024 for 32 × 32); this one has {}",
+                Grouped(bytes)
             ),
             Self::Bits { byte } => write!(
                 f,

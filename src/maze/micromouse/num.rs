@@ -7,9 +7,8 @@ use core::fmt::Write;
 
 use super::error::{Expected, MicromouseError, Problem};
 use super::squares::{Squares, walls};
-use super::usual_start;
 use crate::geometry::{Heading, Point, Ways};
-use crate::maze::{BoundsError, MAX_SIDE, Maze};
+use crate::maze::{BoundsError, Lines, MAX_SIDE, Maze, Reading};
 
 /// Whether this is a first line of numbers.
 pub(super) fn looks_like(first: &str) -> bool {
@@ -23,11 +22,13 @@ struct Square {
     walls: Ways,
 }
 
-pub(super) fn read(text: &str) -> Result<Maze, MicromouseError> {
+pub(super) fn read(text: &str) -> Result<Reading, MicromouseError> {
     let mut squares = Vec::new();
-    for (line, words) in (1..).zip(text.lines()) {
+    let mut end = 1;
+    for (line, words) in Lines::of(text) {
         if !words.trim().is_empty() {
             squares.push(square(line, words)?);
+            end = line + 1;
         }
     }
     let most = |of: fn(&Square) -> i32| squares.iter().map(of).max().unwrap_or(0).unsigned_abs() as usize + 1;
@@ -46,15 +47,13 @@ pub(super) fn read(text: &str) -> Result<Maze, MicromouseError> {
         }
     }
     if let Some(index) = lines.iter().position(|&line| line == 0) {
-        let end = text.lines().count() as u32 + 1;
         return Err(MicromouseError::text(end, 1, Problem::MissingSquare { square: bounds.point(index) }));
     }
-    let mut maze = walled.maze().map_err(|(at, problem)| {
+    let maze = walled.maze().map_err(|(at, problem)| {
         let line = bounds.index(at).map_or(1, |index| lines[index]);
         MicromouseError::text(line, 1, problem)
     })?;
-    maze.set_start(Some(usual_start(bounds)));
-    Ok(maze)
+    Ok(super::started(maze, bounds.sw(), Vec::new()))
 }
 
 /// One line: six numbers.

@@ -8,7 +8,7 @@ use crate::geometry::{Heading, Point, Ways};
 use crate::maze::{Bounds, Kind, Maze};
 
 /// The walls of every square.
-pub(super) struct Squares {
+pub(in crate::maze) struct Squares {
     bounds: Bounds,
     /// Row by row from the south-west; the walls as a set of sides.
     walls: Vec<Ways>,
@@ -16,12 +16,12 @@ pub(super) struct Squares {
 
 impl Squares {
     /// Squares that are all closed.
-    pub(super) fn new(bounds: Bounds) -> Self {
+    pub(in crate::maze) fn new(bounds: Bounds) -> Self {
         Self { bounds, walls: vec![Ways::ALL; bounds.len()] }
     }
 
     /// Says what walls a square has.
-    pub(super) fn set(&mut self, square: Point, walls: Ways) {
+    pub(in crate::maze) fn set(&mut self, square: Point, walls: Ways) {
         if let Some(index) = self.bounds.index(square) {
             self.walls[index] = walls;
         }
@@ -32,7 +32,7 @@ impl Squares {
     }
 
     /// The maze, if neighbours agree and the outside is closed; else the square and its problem.
-    pub(super) fn maze(&self) -> Result<Maze, (Point, Problem)> {
+    pub(in crate::maze) fn maze(&self) -> Result<Maze, (Point, Problem)> {
         let mut maze = Maze::new(self.bounds);
         maze.kind = Kind::Wall;
         for (square, &walls) in self.bounds.points().zip(&self.walls) {

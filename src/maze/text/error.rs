@@ -6,7 +6,7 @@ use core::fmt;
 use crate::geometry::Point;
 use crate::grouped::Grouped;
 use crate::maze::text::MAX_BYTES;
-use crate::maze::{Bounds, BoundsError, ScaleError};
+use crate::maze::{Bounds, BoundsError, Lines, ScaleError};
 
 /// A place in a text; both numbers count from 1, columns in characters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -94,6 +94,24 @@ pub enum Problem {
 impl Place {
     pub(super) const START: Self = Self { line: 1, column: 1 };
 
+    /// The place after this text.
+    ///
+    /// ```
+    /// use line_maze_lab::maze::text::Place;
+    /// assert_eq!(Place::after("one\rtwo\r\nthr"), Place { line: 3, column: 4 });
+    /// ```
+    #[must_use]
+    pub fn after(text: &str) -> Self {
+        let (line, last) = Lines::of(text).last().unwrap_or((1, ""));
+        Self { line, column: u32::try_from(last.chars().count()).unwrap_or(u32::MAX).saturating_add(1) }
+    }
+
+    /// The same place in a text that has so many more lines before it, and columns to the left.
+    #[must_use]
+    pub(in crate::maze) const fn moved(self, lines: u32, columns: u32) -> Self {
+        Self { line: self.line.saturating_add(lines), column: self.column.saturating_add(columns) }
+    }
+
     pub(super) const fn error(self, problem: Problem) -> ParseError {
         ParseError { place: self, problem }
     }
@@ -105,6 +123,19 @@ impl Place {
             shown.push('…');
         }
         self.error(Problem::Expected { what, found: shown })
+    }
+}
+
+impl ParseError {
+    /// The same error in a text that has so many more lines before it, and columns to the left.
+    #[must_use]
+    pub(in crate::maze) fn moved(self, lines: u32, columns: u32) -> Self {
+        let problem = match self.problem {
+            Problem::SecondStart { first } => Problem::SecondStart { first: first.moved(lines, columns) },
+            Problem::Repeated { key, first } => Problem::Repeated { key, first: first.saturating_add(lines) },
+            other => other,
+        };
+        Self { place: self.place.moved(lines, columns), problem }
     }
 }
 

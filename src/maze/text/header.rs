@@ -70,6 +70,14 @@ const KEYS: [&str; 11] = [
     "title", "source", "note", "kind", "cell_mm", "line_mm", "columns", "origin", "bounds", "start", "finish",
 ];
 
+/// Whether a line stands in a header: it gives a key a value, the first one's or another.
+pub(in crate::maze) fn is_field(line: &str) -> bool {
+    line.trim().split_once(':').is_some_and(|(key, _)| key == VERSION || KEYS.contains(&key))
+}
+
+/// The key of the first line.
+const VERSION: &str = "line-maze";
+
 const UNINDENTED: &str = "a line that is not indented (only title, source and note go on in the next line)";
 
 const FIELD: &str = "“key: value” or a blank line (before the drawing)";
@@ -122,7 +130,7 @@ pub(super) fn read(lines: &mut Lines<'_>) -> Result<Header, ParseError> {
 fn version(lines: &mut Lines<'_>) -> Result<(), ParseError> {
     let line = lines.next().map_or("", |(_, line)| line);
     let first = Field::new(line, 1, 0);
-    let version = line.find(':').filter(|&colon| &line[..colon] == "line-maze");
+    let version = line.find(':').filter(|&colon| &line[..colon] == VERSION);
     match version.map(|colon| Field::new(line, 1, colon + 1)) {
         Some(version) if version.text == "1" => Ok(()),
         Some(version) if !version.text.is_empty() => {

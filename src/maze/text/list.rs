@@ -23,7 +23,7 @@ pub(super) fn read(lines: &mut Lines<'_>, header: &Header) -> Result<Maze, Parse
     if let Some(place) = header.pitch.1 {
         return Err(place.error(Problem::DrawingOnly("columns")));
     }
-    let title = Place { line: lines.number, column: 1 };
+    let title = Place { line: lines.number(), column: 1 };
     let mut segments = Vec::new();
     let mut corners: Option<Bounds> = header.bounds;
     for (number, line) in lines {

@@ -11,7 +11,7 @@ use super::pictures::called;
 use super::{Tabs, open_in_stepper};
 use crate::compare::forks::letter;
 use crate::compare::score::{Column, Score};
-use crate::compare::words::{End, ended, escaped, figure};
+use crate::compare::words::{End, escaped, figure};
 use crate::web::browser;
 use crate::web::state::Dialog;
 
@@ -157,7 +157,7 @@ fn push_numbers(markup: &mut String, score: &Score) {
         markup,
         "<td class=\"c-e\" title=\"{}\"><span class=\"end {class}\">{}</span></td>",
         escaped(&reason),
-        ended(score.outcome)
+        score.ended()
     );
     for (column, _, class) in COLUMNS {
         let digits = match column {

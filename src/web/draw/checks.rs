@@ -3,10 +3,9 @@
 use crate::web::erase::{mouse, part, sig};
 use leptos::prelude::*;
 
-use super::desk::{Desk, desk, many, say_done};
+use super::desk::{Desk, desk, many};
 use crate::maze::Kind;
-use crate::maze::checks::{Finding, InOrder, Report, Severity};
-use crate::maze::edit::Edit;
+use crate::maze::checks::{Cure, Finding, InOrder, Report, Severity};
 use crate::web::icons;
 
 /// More findings than these are only counted.
@@ -68,45 +67,20 @@ fn item(desk: Desk, finding: Finding, kind: Kind) -> impl IntoView {
             <button class="btn" aria-pressed=sig(move || is_shown.get().to_string()) on:click=mouse(move |_| desk.toggle_shown(finding.clone()))>"Show it"</button>
         }
     });
-    let erase = if let Finding::Apart(piece) = &finding {
-        let cells = piece.cells.clone();
-        let label = match (kind, cells.len()) {
-            (Kind::Line, 1) => "Erase it",
-            (Kind::Line, _) => "Erase them",
-            (Kind::Wall, _) => "Close them off",
-        };
-        Some(view! { <button class="btn" on:click=mouse(move |_| erase(desk, &cells))>{label}</button> })
-    } else {
-        None
+    let cures = desk.with_maze(|maze| finding.cures(maze));
+    let cure = move |cure: Cure| {
+        let label = cure.label.clone();
+        view! { <button class="btn" on:click=mouse(move |_| desk.lab.cure(cure.clone()))>{label}</button> }
     };
-    let turn = matches!(finding, Finding::StartFacesAway { .. })
-        .then(|| view! { <button class="btn" on:click=mouse(move |_| turn(desk))>"Turn it"</button> });
     view! {
         <li class:at=sig(move || is_shown.get())>
             {mark}
             <div>
                 <b>{finding.title_in(kind)}</b>
                 <span class="small">{finding.cure_in(kind)}</span>
-                <div class="row">{show}{erase}{turn}</div>
+                <div class="row">{show}{cures.into_iter().map(cure).collect_view()}</div>
             </div>
         </li>
-    }
-}
-
-fn erase(desk: Desk, cells: &[(crate::geometry::Point, crate::geometry::Heading)]) {
-    if desk.lab.edit(Edit::Erase(cells.to_vec())) {
-        let said = match desk.with_maze(|maze| maze.kind) {
-            Kind::Line => format!("{} erased.", many(cells.len(), "cell")),
-            Kind::Wall => format!("{} built.", many(cells.len(), "wall")),
-        };
-        say_done(desk.lab, said);
-    }
-}
-
-/// Turns the start along its line.
-fn turn(desk: Desk) {
-    if let Some(start) = desk.with_maze(crate::maze::Maze::start) {
-        desk.put_start(start.at);
     }
 }
 

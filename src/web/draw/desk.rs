@@ -10,7 +10,7 @@ use crate::maze::checks::{self, Finding, Report};
 use crate::maze::edit::Edit;
 use crate::maze::{Kind, Maze, Start};
 use crate::web::maze_view::{Camera, size_of};
-use crate::web::state::{Lab, Toast, ToastAction, ToastTone};
+use crate::web::state::{Lab, Toast};
 
 /// The state of the room; cheap to copy, reached by [`desk`].
 #[derive(Clone, Copy)]
@@ -179,12 +179,7 @@ impl Desk {
 
 /// Says that something was done which can be taken back.
 pub fn say_done(lab: Lab, text: String) {
-    lab.toast.set(Some(Toast {
-        title: String::new(),
-        text,
-        tone: ToastTone::Info,
-        action: Some(ToastAction::Undo),
-    }));
+    lab.toast.set(Some(Toast::done(text)));
 }
 
 /// `1 cell`, `3 cells`.

@@ -6,8 +6,7 @@ use wasm_bindgen::prelude::*;
 use wasm_bindgen_futures::JsFuture;
 use web_sys::{Blob, BlobPropertyBag, CanvasRenderingContext2d, HtmlCanvasElement, HtmlImageElement, Url};
 
-use crate::maze::file::Format;
-use crate::maze::micromouse::Form;
+use crate::maze::micromouse::{self, CannotSay, Form, Unsaid};
 use crate::maze::{Maze, file, json, svg, text};
 use crate::web::browser::{download, download_blob};
 use crate::web::state::{Lab, ToastTone};
@@ -33,11 +32,11 @@ pub fn export_svg(lab: Lab) {
 }
 
 /// Saves a micromouse file, where the maze can be said in that form.
-pub fn export_mouse(lab: Lab, form: Form) {
+pub fn export_mouse(lab: Lab, form: Form, finish: Unsaid) {
     let extension = form.extension();
     let (name, written) = lab
         .maze
-        .with_untracked(|maze| (file::name(maze, extension), file::write(maze, Format::Micromouse(form))));
+        .with_untracked(|maze| (file::name(maze, extension), micromouse::write_with(maze, form, finish)));
     match written {
         Ok(bytes) => {
             let parts = js_sys::Array::of1(&js_sys::Uint8Array::from(&bytes[..]));
@@ -49,11 +48,11 @@ pub fn export_mouse(lab: Lab, form: Form) {
             }
         }
         Err(why) => {
-            lab.say(
-                ToastTone::Error,
-                format!("Can’t write this maze as .{extension}"),
-                sentence(&why.to_string()),
-            );
+            let mut words = sentence(&why.to_string());
+            if why == CannotSay::Finish {
+                words += " The File menu has a choice for leaving it out.";
+            }
+            lab.say(ToastTone::Error, format!("Can’t write this maze as .{extension}"), words);
         }
     }
 }

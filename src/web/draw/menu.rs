@@ -7,7 +7,9 @@ use wasm_bindgen::JsCast;
 use web_sys::{Element, HtmlElement, KeyboardEvent};
 
 use super::files::{self, save};
-use crate::maze::micromouse::Form;
+use crate::maze::Kind;
+use crate::maze::micromouse::{Form, Unsaid, has_unsaid_finish};
+use crate::web::icons;
 use crate::web::opening::choose_file;
 use crate::web::state::{Dialog, lab};
 
@@ -58,10 +60,21 @@ pub fn FileMenu() -> impl IntoView {
             </button>
         }
     };
+    let leaves = RwSignal::new(Unsaid::Refused);
+    let has_unsaid = move || lab.maze.with(|maze| maze.kind == Kind::Wall && has_unsaid_finish(maze));
+    let leave_out = move || {
+        view! {
+            <button role="menuitemcheckbox" tabindex="-1" aria-checked=sig(move || (leaves.get() == Unsaid::LeftOut).to_string())
+                on:click=mouse(move |_| leaves.update(|it| *it = match *it { Unsaid::Refused => Unsaid::LeftOut, Unsaid::LeftOut => Unsaid::Refused }))>
+                "Leave out a finish off the centre"
+                <span class="tick" aria-hidden="true">{part(move || (leaves.get() == Unsaid::LeftOut).then(icons::ok))}</span>
+            </button>
+        }
+    };
     let mouse_item = move |form: Form| {
         let name = format!("Export micromouse .{}", form.extension());
         view! {
-            <button class="short" role="menuitem" tabindex="-1" aria-label=name on:click=mouse(move |_| { close(); files::export_mouse(lab, form); })>
+            <button class="short" role="menuitem" tabindex="-1" aria-label=name on:click=mouse(move |_| { close(); files::export_mouse(lab, form, leaves.get_untracked()); })>
                 "." {form.extension()}
             </button>
         }
@@ -89,6 +102,7 @@ pub fn FileMenu() -> impl IntoView {
                     <hr role="separator" />
                     <span class="menu-head" role="none" aria-hidden="true">"Export for a micromouse"</span>
                     {Form::ALL.map(mouse_item).into_iter().collect_view()}
+                    {has_unsaid().then(leave_out)}
                     <hr role="separator" />
                     {item("Export picture, SVG", "", files::export_svg)}
                     {item("Export picture, PNG", "", files::export_png)}

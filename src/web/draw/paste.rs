@@ -4,7 +4,6 @@ use crate::web::erase::{sig, submit};
 use leptos::html;
 use leptos::prelude::*;
 
-use super::desk::say_done;
 use crate::maze::file;
 use crate::web::dialogs::Modal;
 use crate::web::opening;
@@ -24,11 +23,10 @@ pub fn Paste() -> impl IntoView {
             return opening::open_text(lab, text);
         }
         match file::read(text.as_bytes()) {
-            Ok(maze) => {
+            Ok(reading) => {
                 lab.dialog.set(None);
                 lab.broken_link.set(None);
-                lab.open(maze);
-                say_done(lab, "The pasted maze is open.".to_owned());
+                opening::opened(lab, "The pasted maze is open.".to_owned(), reading);
             }
             Err(why) => wrong.set(why.to_string()),
         }

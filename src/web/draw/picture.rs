@@ -287,6 +287,9 @@ fn Shown() -> impl IntoView {
 const fn word(finding: &Finding, kind: Kind) -> &'static str {
     match finding {
         Finding::StartOffLine(_) | Finding::FinishOffLine(_) if matches!(kind, Kind::Wall) => "walled in",
+        Finding::StartFacesWall { .. } => "faces a wall",
+        Finding::StartFacesAway { .. } if matches!(kind, Kind::Wall) => "faces a wall",
+        Finding::StartNotAtEnd { .. } if matches!(kind, Kind::Wall) => "several ways",
         Finding::Apart(_) => "apart",
         Finding::FinishUnreachable { .. } => "no way there",
         Finding::StartOffLine(_) | Finding::FinishOffLine(_) => "no line here",

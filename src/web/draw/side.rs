@@ -92,6 +92,9 @@ fn verdict(run: &Run) -> AnyView {
                     "its node table is full: it can remember {capacity} nodes at once (settings of the run, O)"
                 )
             }
+            Outcome::NoFinishReachable if run.maze.finish().is_empty() => {
+                "the maze has no finish, so it drove every line and came back".to_owned()
+            }
             Outcome::NoFinishReachable
             | Outcome::Mapped
             | Outcome::Circling { .. }

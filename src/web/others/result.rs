@@ -4,6 +4,7 @@ use leptos::prelude::*;
 
 use super::Watched;
 use super::run::OtherRun;
+use crate::event::Outcome;
 use crate::route::forms::{self, Form};
 use crate::route::{Corners, TurnList};
 use crate::web::browser;
@@ -14,7 +15,12 @@ use crate::web::step::result::{Letters, title};
 /// What is shown under the sentence when the run is over.
 pub fn card(watched: Watched) -> AnyView {
     let lab = lab();
-    let outcome = move || watched.of(|run| run.recording.outcome().to_string());
+    let outcome = move || {
+        watched.of(|run| match run.recording.outcome() {
+            Outcome::NoFinishReachable if run.maze.finish().is_empty() => "the maze has no finish".to_owned(),
+            outcome => outcome.to_string(),
+        })
+    };
     let strayed = move || watched.of(|run| run.strayed.map(|strayed| strayed.to_string()));
     view! {
         <div class="result" id="result">

@@ -1,5 +1,7 @@
 //! What can be open on the page: a room, a dialog, a message at the lower edge.
 
+use crate::maze::checks::Cure;
+
 /// The rooms of the lab.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Room {
@@ -85,20 +87,49 @@ pub struct Toast {
     pub action: Option<ToastAction>,
 }
 
+impl Toast {
+    /// Something was done that can be taken back.
+    #[must_use]
+    pub const fn done(text: String) -> Self {
+        Self { title: String::new(), text, tone: ToastTone::Info, action: Some(ToastAction::Undo) }
+    }
+
+    /// Whether it goes after a while: what is to be read or to be answered stays.
+    #[must_use]
+    pub const fn passes(&self) -> bool {
+        match (self.tone, &self.action) {
+            (ToastTone::Error | ToastTone::Remark, _)
+            | (_, Some(ToastAction::Update | ToastAction::Cure(_))) => false,
+            (ToastTone::Info, Some(ToastAction::Undo) | None) => true,
+        }
+    }
+
+    /// Whether it speaks of the maze as it is, and is over when that changes.
+    #[must_use]
+    pub const fn is_about_maze(&self) -> bool {
+        matches!(self.tone, ToastTone::Remark)
+            || matches!(self.action, Some(ToastAction::Undo | ToastAction::Cure(_)))
+    }
+}
+
 /// How a toast is meant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ToastTone {
     /// Something was done.
     Info,
+    /// Something was done, and there is more to know about it.
+    Remark,
     /// Something cannot be done.
     Error,
 }
 
 /// A toast's button.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ToastAction {
     /// Takes back the last edit.
     Undo,
     /// Uses the new version of the page.
     Update,
+    /// Cures what the maze lacks.
+    Cure(Cure),
 }

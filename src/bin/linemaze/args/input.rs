@@ -5,11 +5,11 @@ use std::str::FromStr;
 
 use clap::Args;
 use line_maze_lab::geometry::{Heading, Point};
-use line_maze_lab::maze::{Maze, Start};
+use line_maze_lab::maze::{Maze, Remark, Start};
 
 /// What is said of every maze file.
 pub(crate) const MAZE_HELP: &str =
-    "A maze file of any readable format (.maze, JSON, micromouse), or - for standard input";
+    "A maze file of any readable format (.maze, JSON, micromouse, grids of #), or - for standard input";
 
 /// A maze file.
 #[derive(Args)]
@@ -44,6 +44,23 @@ pub(crate) enum Finish {
 }
 
 impl Marks {
+    /// Whether a remark is about a mark that is set here.
+    pub(crate) fn settle(&self, remark: &Remark) -> bool {
+        match remark {
+            Remark::NoFinish | Remark::FinishInCentre => !self.finish.is_empty(),
+            Remark::Faces(_) | Remark::NoStart { .. } => self.start.is_some(),
+            Remark::UnknownWalls { .. }
+            | Remark::PartWalls { .. }
+            | Remark::Posts { .. }
+            | Remark::Before { .. }
+            | Remark::After { .. }
+            | Remark::Indented { .. }
+            | Remark::Grid(_)
+            | Remark::Entrance(_)
+            | Remark::List(_) => false,
+        }
+    }
+
     /// Puts them on a maze.
     ///
     /// # Errors

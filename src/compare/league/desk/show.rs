@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 use super::super::{CourseResult, Entry, League, standings};
 use crate::compare::plot::{boxes, number};
 use crate::compare::score::{Column, Score};
-use crate::compare::words::{End, ended, escaped, figure};
+use crate::compare::words::{End, escaped, figure};
 
 /// Which runs are shown, and in which order.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -125,7 +125,7 @@ fn push_run(rows: &mut String, league: &League, course: usize, entry: &Entry) {
                 rows,
                 "<td title=\"{}\"><span class=\"end {class}\">{}</span></td>",
                 escaped(&reason),
-                ended(score.outcome)
+                score.ended()
             );
             for column in View::COLUMNS {
                 let digits = match column {

@@ -98,7 +98,7 @@ async fn what_a_format_cannot_say_is_told_with_the_cure() -> Result<()> {
             page.wait_for_no(".toast").await?;
         }
         new_walls(page, "4", "3").await?;
-        for (entry, words) in [(".maz", "16 × 16 squares")] {
+        for (entry, words) in [(".maz", "as high as it is wide")] {
             from_menu(page, &format!("Export micromouse {entry}")).await?;
             page.wait_for_text(".toast[role=alert]", words).await?;
         }
@@ -106,7 +106,7 @@ async fn what_a_format_cannot_say_is_told_with_the_cure() -> Result<()> {
         page.press("Escape").await?;
         page.press("t").await?;
         from_menu(page, "Export micromouse .txt").await?;
-        page.wait_for_text(".toast[role=alert]", "turn the start").await
+        page.wait_for_text(".toast[role=alert]", "not east; turn it").await
     })
     .await
 }

@@ -10,6 +10,7 @@ mod draw_help;
 mod drawing;
 mod everyone;
 mod figure_3_1;
+mod foreign;
 mod files;
 mod habits;
 mod offline;
