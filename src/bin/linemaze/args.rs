@@ -3,18 +3,20 @@
 use std::path::PathBuf;
 
 use clap::{ArgGroup, Args, Parser, Subcommand, ValueEnum};
+use line_maze_lab::compare::{LineupError, each_once};
 use line_maze_lab::explorer::name::Name;
 
 mod generate;
 mod input;
 mod names;
+mod numbers;
 mod options;
 
 pub(crate) use generate::Generate;
-use generate::seed;
 use input::MAZE_HELP;
 pub(crate) use input::{Finish, Input, Marks, put_finish};
 use names::names;
+use numbers::{seed, whole};
 pub(crate) use options::Options;
 
 /// Explore line mazes as a robot does that cannot see them: stop by stop, by the algorithm of a book.
@@ -41,8 +43,9 @@ Examples:
 
 Exit status:
   0  the finish was reached, all is mapped, the maze is clean, the file is written
-  1  the run ended elsewhere, or there are findings
-  2  the arguments or the input make no sense; standard error says where: FILE:LINE:COLUMN: message";
+  1  the run ended elsewhere, there are findings, or some of the input could not be used
+  2  the arguments or the input make no sense, or the output could not be written; standard error says where:
+     FILE:LINE:COLUMN: message";
 
 #[derive(Subcommand)]
 pub(crate) enum Command {
@@ -50,7 +53,7 @@ pub(crate) enum Command {
     #[command(after_help = RUN_STATUS)]
     Run(Explore),
     /// Explore a maze and tell every stop.
-    #[command(after_help = RUN_STATUS)]
+    #[command(after_help = RUN_STATUS, after_long_help = TRACE_COLUMNS)]
     Trace(Explore),
     /// Print the turn list that a run leaves, for a board or another program.
     #[command(
@@ -64,7 +67,7 @@ pub(crate) enum Command {
     Compare(Compare),
     /// Run explorers over many mazes, on all cores: share solved, medians, CSV.
     #[command(
-        after_help = "Exit status: 0 done, 1 done without the files that could not be read, 2 nothing to run.\n\nExamples:\n  linemaze league --samples --generate 500 --size 16x16 --csv runs.csv\n  linemaze league my-mazes/ --explorers book,mapping"
+        after_help = "Exit status: 0 all of it was run, 1 without files that could not be read or folders that hold none, 2 nothing to run.\n\nExamples:\n  linemaze league --samples --generate 500 --size 16x16 --csv runs.csv\n  linemaze league my-mazes/ --explorers book,mapping"
     )]
     League(League),
     /// Say what is not in order in a maze, where, and what to do about it.
@@ -95,6 +98,23 @@ pub(crate) enum Command {
 }
 
 const RUN_STATUS: &str = "Exit status: 0 finish reached or all mapped, 1 any other outcome, 2 the input or the arguments make no sense.";
+
+const TRACE_COLUMNS: &str = "\
+Columns:
+  stop       from 1; explorers other than the book's begin with their start, stop 0
+  at         the place, x to the east and y to the north of the drawing
+  seen       what the robot meets there: node, corner, dead end, straight, finish, start
+  case       what that is to the explorer, in its source's words
+  node       the node's number in its table
+  turn       S straight, R right, B back (a U-turn), L left; - where the run ends
+  leaves     the heading after the turn, in the robot's frame: N is where it faced at the start
+  ptr        one more than the nodes that the book's explorer remembers
+  returning  whether the book's explorer is on its way back
+  cur_x      milliseconds driven to the east of the start, in the robot's frame; cur_y: to the north
+  crossed    cells that the book's explorer has crossed out so far
+With --json, leaves is a number: 0 N, 1 E, 2 S, 3 W.
+
+Exit status: 0 finish reached or all mapped, 1 any other outcome, 2 the input or the arguments make no sense.";
 
 /// What `run` and `trace` take.
 #[derive(Args)]
@@ -157,7 +177,7 @@ pub(crate) struct Compare {
     pub(crate) json: bool,
     /// Instead: this many runs of the book's explorer, each with its own random order; how long are the routes?
     #[arg(long, value_name = "N", conflicts_with_all = ["explorers", "json", "order"],
-        allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+        allow_negative_numbers = true, value_parser = whole(1..=1_000_000_u32))]
     pub(crate) random_orders: Option<u32>,
     #[command(flatten)]
     pub(crate) settings: Options,
@@ -175,7 +195,7 @@ pub(crate) struct League {
     pub(crate) samples: bool,
     /// This many generated mazes, with seeds from --seed on
     #[arg(long, value_name = "N", allow_negative_numbers = true,
-        value_parser = clap::value_parser!(u32).range(1..=100_000))]
+        value_parser = whole(1..=100_000_u32))]
     pub(crate) generate: Option<u32>,
     #[command(flatten)]
     pub(crate) recipe: Generate,
@@ -196,13 +216,18 @@ pub(crate) struct League {
 }
 
 impl League {
-    /// Who runs; each once.
-    pub(crate) fn explorers(&self) -> Vec<Name> {
+    /// Who runs, in the order of the help.
+    ///
+    /// # Errors
+    /// Who is named twice.
+    pub(crate) fn explorers(&self) -> Result<Vec<Name>, LineupError> {
         if self.explorers.is_empty() {
-            return Name::ALL.to_vec();
+            return Ok(Name::ALL.to_vec());
         }
-        let chosen = |name: &&Name| self.explorers.contains(name);
-        Name::ALL.iter().filter(chosen).copied().collect()
+        each_once(&self.explorers)?;
+        let mut chosen = self.explorers.clone();
+        chosen.sort_unstable();
+        Ok(chosen)
     }
 }
 
@@ -235,18 +260,18 @@ pub(crate) struct Robot {
     #[command(flatten)]
     pub(crate) marks: Marks,
     /// Lose, flip, double and delay bytes, reset, fall silent and flood, the same way for the same seed
-    #[arg(long, value_name = "SEED", allow_negative_numbers = true, value_parser = seed)]
+    #[arg(long, value_name = "SEED", allow_negative_numbers = true, value_parser = seed())]
     pub(crate) faults: Option<u64>,
     /// Speak at this rate; on a pseudo-terminal, rubbish comes over unless the other end has set it too
     #[arg(long, value_name = "BITS_S", allow_negative_numbers = true,
-        value_parser = clap::value_parser!(u32).range(300..=4_000_000))]
+        value_parser = whole(300..=4_000_000_u32))]
     pub(crate) baud: Option<u32>,
     /// As behind a Bluetooth module: opening does not reset it, and it is silent until it is spoken to
     #[arg(long)]
     pub(crate) quiet: bool,
     /// Let its time run so many times faster
     #[arg(long, value_name = "TIMES", default_value_t = 1, allow_negative_numbers = true,
-        value_parser = clap::value_parser!(u32).range(1..=100))]
+        value_parser = whole(1..=100_u32))]
     pub(crate) hurry: u32,
 }
 
@@ -258,7 +283,7 @@ pub(crate) struct LinkCheck {
     pub(crate) pty: PathBuf,
     /// The rate
     #[arg(long, value_name = "BITS_S", default_value_t = 115_200, allow_negative_numbers = true,
-        value_parser = clap::value_parser!(u32).range(300..=4_000_000))]
+        value_parser = whole(300..=4_000_000_u32))]
     pub(crate) baud: u32,
     /// The robot may drive: it stands at the start of a line maze, and there is room
     #[arg(long)]

@@ -12,8 +12,8 @@ use crate::complain;
 pub(crate) struct Files {
     /// What was found.
     pub(crate) found: Vec<PathBuf>,
-    /// How many folders could not be read; they are named on standard error.
-    pub(crate) unreadable: usize,
+    /// How many folders could not be read or hold no file; they are named on standard error.
+    pub(crate) unusable: usize,
     /// Folders by their true names: links can lead back to where they are.
     seen: HashSet<PathBuf>,
 }
@@ -25,7 +25,20 @@ impl Files {
         for path in paths {
             // What is named twice runs twice.
             files.seen.clear();
-            if path.is_dir() { files.folder(path) } else { files.found.push(path.clone()) }
+            if !path.is_dir() {
+                files.found.push(path.clone());
+                continue;
+            }
+            let before = (files.found.len(), files.unusable);
+            files.folder(path);
+            if before == (files.found.len(), files.unusable) {
+                files.unusable += 1;
+                complain(&format!(
+                    "{}: this folder holds no files, but for names that begin with a dot; name the files, or another \
+                     folder",
+                    path.display()
+                ));
+            }
         }
         files
     }
@@ -37,7 +50,7 @@ impl Files {
         match inside {
             Ok(inside) => inside.iter().for_each(|path| self.entry(path)),
             Err(error) => {
-                self.unreadable += 1;
+                self.unusable += 1;
                 complain(&format!("{}: {error}", path.display()));
             }
         }

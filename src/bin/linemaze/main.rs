@@ -21,6 +21,7 @@ mod robot;
 mod signals;
 mod table;
 mod turns;
+mod usage;
 
 use std::io::{self, BufWriter, Write};
 use std::process::ExitCode;
@@ -54,12 +55,16 @@ impl From<io::Error> for Failure {
 }
 
 fn main() -> ExitCode {
-    let cli = Cli::parse();
-    let mut out = BufWriter::new(io::stdout().lock());
-    let done = obey(&cli.command, &mut out).and_then(|status| {
-        out.flush()?;
-        Ok(status)
-    });
+    let done = match Cli::try_parse() {
+        Ok(cli) => {
+            let mut out = BufWriter::new(io::stdout().lock());
+            obey(&cli.command, &mut out).and_then(|status| {
+                out.flush()?;
+                Ok(status)
+            })
+        }
+        Err(told) => usage::tell(told),
+    };
     let status = match done {
         Ok(status) => status,
         // `linemaze … | head` is no fault.

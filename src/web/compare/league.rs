@@ -132,6 +132,13 @@ impl LeagueDesk {
         }
     }
 
+    /// Takes out all files, and what was told of those that could not be read.
+    fn without_files(self) {
+        self.files.set(Vec::new());
+        self.unread.set(Vec::new());
+        self.refused.set(Vec::new());
+    }
+
     /// The runs in another order.
     pub fn look(self, change: impl FnOnce(&mut View)) {
         self.view.update(change);
@@ -224,7 +231,10 @@ fn Courses() -> impl IntoView {
     let made = move |of: fn(Made) -> u64| Signal::derive(move || of(league.made.get()).to_string());
     let choose = move |event: web_sys::Event| {
         let input = event.target().and_then(|target| target.dyn_into::<web_sys::HtmlInputElement>().ok());
-        files::chosen(league, input.and_then(|input| input.files()));
+        let Some(input) = input else { return };
+        files::chosen(league, input.files());
+        // The same files can be chosen again once they were taken out.
+        input.set_value("");
     };
     let told = move || match (league.reading.get(), league.files.with(Vec::len)) {
         (Some((done, of)), _) => format!("Reading {done} of {of} files…"),
@@ -252,7 +262,7 @@ fn Courses() -> impl IntoView {
         <div class="row">
             <label class="btn file">"Files…"<input class="vh" type="file" id="league-files" multiple accept=".maze,.json,.txt,.map,.num,.maz" on:change=event(choose) /></label>
             <label class="btn file">"Folder…"<input class="vh" type="file" id="league-folder" prop:webkitdirectory=true multiple on:change=event(choose) /></label>
-            {part(move || (league.files.with(Vec::len) > 0).then(|| view! { <button class="btn quiet" on:click=mouse(move |_| league.files.set(Vec::new()))>"No files"</button> }))}
+            {part(move || (league.files.with(Vec::len) > 0).then(|| view! { <button class="btn quiet" on:click=mouse(move |_| league.without_files())>"Remove the files"</button> }))}
         </div>
         <p class="small" role="status">{part(told)}</p>
     }
@@ -312,7 +322,7 @@ fn Standings(shown: Shown) -> impl IntoView {
     let league = desk().league;
     view! {
         <section class="card standings" aria-labelledby="standings-title">
-            <h2 id="standings-title">"Standings: median, and the middle half"<span class="spacer"></span>
+            <h2 id="standings-title">"Standings: solved of those that could be; median, and the middle half"<span class="spacer"></span>
                 <button class="btn" aria-label="Save the standings as CSV" on:click=mouse(move |_| office::ask(league, Ask::Csv(Sheet::Standings)))>"CSV"</button></h2>
             <div class="standings-body">
                 <div class="scroll" tabindex="0" role="region" aria-labelledby="standings-title"><table>
@@ -325,6 +335,12 @@ fn Standings(shown: Shown) -> impl IntoView {
                 </table></div>
                 {(!shown.boxes.is_empty()).then(|| view! { <div class="stack"><Boxes markup=shown.boxes /></div> })}
             </div>
+            {(!shown.absent.is_empty()).then(|| view! {
+                <details class="absences">
+                    <summary>{shown.absent}</summary>
+                    <ul class="stack scroll" tabindex="0" aria-label="Who could not start" inner_html=shown.absences></ul>
+                </details>
+            })}
         </section>
     }
 }

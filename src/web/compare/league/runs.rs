@@ -11,7 +11,7 @@ use crate::web::browser;
 use crate::web::compare::desk::desk;
 use crate::web::compare::office;
 
-const HEADS: [&str; 5] = ["Explored", "Seconds", "Route", "÷ shortest", "÷ fastest"];
+const HEADS: [&str; 5] = ["Explored, cells", "Seconds", "Route, cells", "÷ shortest", "÷ fastest"];
 
 /// The card.
 #[component]
