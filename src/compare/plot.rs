@@ -125,7 +125,7 @@ pub fn draws_words(draws: &Draws, shortest: Option<u32>) -> String {
 }
 
 /// Names stand left of a box plot's boxes.
-const NAMES: f64 = 128.0;
+const NAMES: f64 = 142.0;
 /// Numbers stand right of them.
 const NUMBERS: f64 = 40.0;
 /// Units of a row.

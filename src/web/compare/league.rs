@@ -37,7 +37,7 @@ pub struct LeagueDesk {
     /// Files that are being read: how many of how many.
     pub reading: RwSignal<Option<(usize, usize)>>,
     /// Files that could not be read, and why.
-    pub unread: RwSignal<Vec<(String, String)>>,
+    unread: RwSignal<Vec<(String, String)>>,
     refused: RwSignal<Vec<(String, String)>>,
     progress: RwSignal<Option<(usize, usize)>>,
     busy: RwSignal<bool>,
@@ -74,7 +74,9 @@ impl LeagueDesk {
     fn courses(self) -> u32 {
         let samples = if self.samples.get() { crate::maze::samples::SAMPLES.len() as u32 } else { 0 };
         let made = if self.generate.get() { self.made.get().count } else { 0 };
-        samples + made + self.files.with(Vec::len) as u32
+        // The worker tells which of the files are no mazes.
+        let mazes = self.files.with(Vec::len).saturating_sub(self.refused.with(Vec::len));
+        samples + made + mazes as u32
     }
 
     /// From the beginning.
@@ -132,10 +134,10 @@ impl LeagueDesk {
         }
     }
 
-    /// Takes out all files, and what was told of those that could not be read.
-    fn without_files(self) {
-        self.files.set(Vec::new());
-        self.unread.set(Vec::new());
+    /// Takes these files in place of the others, and tells of those that nobody could read.
+    pub fn take_files(self, files: Vec<(String, String)>, unread: Vec<(String, String)>) {
+        self.files.set(files);
+        self.unread.set(unread);
         self.refused.set(Vec::new());
     }
 
@@ -238,7 +240,7 @@ fn Courses() -> impl IntoView {
     };
     let told = move || match (league.reading.get(), league.files.with(Vec::len)) {
         (Some((done, of)), _) => format!("Reading {done} of {of} files…"),
-        (None, 0) => "No files; a dropped folder comes here.".to_owned(),
+        (None, 0) => "A dropped folder comes here.".to_owned(),
         (None, 1) => "1 file.".to_owned(),
         (None, count) => format!("{count} files."),
     };
@@ -262,9 +264,11 @@ fn Courses() -> impl IntoView {
         <div class="row">
             <label class="btn file">"Files…"<input class="vh" type="file" id="league-files" multiple accept=".maze,.json,.txt,.map,.num,.maz" on:change=event(choose) /></label>
             <label class="btn file">"Folder…"<input class="vh" type="file" id="league-folder" prop:webkitdirectory=true multiple on:change=event(choose) /></label>
-            {part(move || (league.files.with(Vec::len) > 0).then(|| view! { <button class="btn quiet" on:click=mouse(move |_| league.without_files())>"Remove the files"</button> }))}
         </div>
-        <p class="small" role="status">{part(told)}</p>
+        <div class="row">
+            <p class="small" role="status">{part(told)}</p>
+            {part(move || (league.files.with(Vec::len) > 0).then(|| view! { <button class="btn quiet" on:click=mouse(move |_| league.take_files(Vec::new(), Vec::new()))>"Remove them"</button> }))}
+        </div>
     }
 }
 
@@ -322,25 +326,28 @@ fn Standings(shown: Shown) -> impl IntoView {
     let league = desk().league;
     view! {
         <section class="card standings" aria-labelledby="standings-title">
-            <h2 id="standings-title">"Standings: solved of those that could be; median, and the middle half"<span class="spacer"></span>
+            <h2 id="standings-title">"Standings: median, and the middle half"<span class="spacer"></span>
                 <button class="btn" aria-label="Save the standings as CSV" on:click=mouse(move |_| office::ask(league, Ask::Csv(Sheet::Standings)))>"CSV"</button></h2>
             <div class="standings-body">
                 <div class="scroll" tabindex="0" role="region" aria-labelledby="standings-title"><table>
                     <thead><tr>
                         <th scope="col">"Explorer"</th><th scope="col" class="num">"Runs"</th><th scope="col" class="num">"Solved"</th>
-                        <th scope="col" class="num">"÷ shortest"</th><th scope="col" class="num">"÷ fastest"</th>
+                        <th scope="col" class="num">"÷\u{a0}shortest"</th><th scope="col" class="num">"÷\u{a0}fastest"</th>
                         <th scope="col" class="num">{format!("Explored, {}", Column::Distance.title())}</th><th scope="col" class="num">"Bytes"</th>
                     </tr></thead>
                     <tbody inner_html=shown.standings></tbody>
                 </table></div>
                 {(!shown.boxes.is_empty()).then(|| view! { <div class="stack"><Boxes markup=shown.boxes /></div> })}
             </div>
-            {(!shown.absent.is_empty()).then(|| view! {
-                <details class="absences">
-                    <summary>{shown.absent}</summary>
-                    <ul class="stack scroll" tabindex="0" aria-label="Who could not start" inner_html=shown.absences></ul>
-                </details>
-            })}
+            <div class="shares">
+                <p class="small">"Solved: of the runs in mazes with a way to the finish."</p>
+                {(!shown.absent.is_empty()).then(|| view! {
+                    <details class="absences">
+                        <summary>{shown.absent}</summary>
+                        <ul class="stack scroll" tabindex="0" aria-label="Who could not start" inner_html=shown.absences></ul>
+                    </details>
+                })}
+            </div>
         </section>
     }
 }

@@ -24,8 +24,8 @@ const COLUMNS: [(Column, &str, &str); 8] = [
     (Column::Seconds, "Seconds", "c-s"),
     (Column::Memory, "Bytes", "c-s"),
     (Column::Route, "Route, cells", ""),
-    (Column::RatioShortest, "÷ shortest", ""),
-    (Column::RatioFastest, "÷ fastest", "c-s"),
+    (Column::RatioShortest, "÷\u{a0}shortest", ""),
+    (Column::RatioFastest, "÷\u{a0}fastest", "c-s"),
 ];
 
 /// The card.

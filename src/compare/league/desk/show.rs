@@ -36,8 +36,10 @@ pub struct Shown {
     pub rows: String,
     /// Runs that are in `rows`.
     pub listed: usize,
-    /// Runs that could be.
+    /// Runs that could be, with those that could not start.
     pub runs: usize,
+    /// How many of them there are of either kind.
+    pub title: String,
     /// How many runs could not start; empty where all could.
     pub absent: String,
     /// A list of them, by maze.
@@ -95,9 +97,20 @@ impl View {
             rows,
             listed,
             runs: runs.len(),
+            title: title(&runs),
             absent: if absences.is_empty() { String::new() } else { absent_runs(&absences) },
             absences: list(league, &absences),
         }
+    }
+}
+
+/// “108 runs, and 2 that could not start”.
+fn title(runs: &[(usize, &Entry)]) -> String {
+    let started = runs.iter().filter(|(_, entry)| entry.score.is_ok()).count();
+    let title = alloc::format!("{started} run{}", if started == 1 { "" } else { "s" });
+    match runs.len() - started {
+        0 => title,
+        absent => alloc::format!("{title}, and {absent} that could not start"),
     }
 }
 
@@ -111,7 +124,7 @@ fn push_shares(table: &mut String, standing: &Standing) {
         standing.runs
     );
     if standing.absent > 0 {
-        let _ = write!(table, " <span class=\"small\">{} could not start</span>", standing.absent);
+        let _ = write!(table, " <span class=\"small\">of {}</span>", standing.runs + standing.absent);
     }
     let _ = match standing.percent_solved() {
         Some(percent) => write!(
