@@ -2,22 +2,26 @@
 
 use std::path::PathBuf;
 
-use clap::{ArgGroup, Args, Parser, Subcommand, ValueEnum};
+use clap::{ArgGroup, Args, Parser, Subcommand};
 use line_maze_lab::compare::{LineupError, each_once};
 use line_maze_lab::explorer::name::Name;
 
+mod convert;
 mod generate;
 mod input;
 mod names;
 mod numbers;
 mod options;
+mod turns;
 
+pub(crate) use convert::Convert;
 pub(crate) use generate::Generate;
 use input::MAZE_HELP;
 pub(crate) use input::{Finish, Input, Marks, put_finish};
 use names::names;
 use numbers::{seed, whole};
 pub(crate) use options::Options;
+pub(crate) use turns::{Turns, TurnsForm};
 
 /// Explore line mazes as a robot does that cannot see them: stop by stop, by the algorithm of a book.
 #[derive(Parser)]
@@ -36,6 +40,7 @@ Examples:
   linemaze generate --size 20x12 --seed 7 | linemaze run -
   linemaze check mine.maze                           what is not in order, where, and what to do
   linemaze convert mine.maze mine.svg                a picture in true size
+  linemaze turns --reduce LBLLBSR                    what is left of a turn list: SRR
   linemaze compare mine.maze --explorers book,mapping,flood-fill
   linemaze league --generate 500 --size 16x16        who solves most, and how well
   linemaze robot --pty /tmp/robot --maze mine.maze   a robot without hardware, on a serial line
@@ -55,10 +60,8 @@ pub(crate) enum Command {
     /// Explore a maze and tell every stop.
     #[command(after_help = RUN_STATUS, after_long_help = TRACE_COLUMNS)]
     Trace(Explore),
-    /// Print the turn list that a run leaves, for a board or another program.
-    #[command(
-        after_help = "Exit status: 0 printed, 1 the run left no way to the finish, 2 bad input.\n\nExample: linemaze turns mazes/book-3-1.maze --form c"
-    )]
+    /// Print the turn list that a run leaves, for a board or another program; or reduce and reverse letters.
+    #[command(after_help = turns::HELP)]
     Turns(Turns),
     /// Put explorers side by side in one maze: a table, and where they part from the first that runs.
     #[command(
@@ -79,7 +82,7 @@ pub(crate) enum Command {
     )]
     Generate(Generate),
     /// Write a maze in another format; OUT's extension chooses.
-    #[command(after_help = "What IN is, its content tells. OUT is replaced if it exists.")]
+    #[command(after_help = convert::HELP)]
     Convert(Convert),
     /// Be a robot that speaks the protocol of PROTOCOL.md, in an ideal world, until the end of input or a signal.
     #[command(
@@ -129,38 +132,6 @@ pub(crate) struct Explore {
     pub(crate) json: bool,
     #[command(flatten)]
     pub(crate) settings: Options,
-}
-
-/// What `turns` takes.
-#[derive(Args)]
-pub(crate) struct Turns {
-    #[command(flatten)]
-    pub(crate) maze: Input,
-    /// Whose algorithm drives
-    #[arg(long, value_name = "NAME", default_value_t, value_parser = names())]
-    pub(crate) explorer: Name,
-    /// How the list is written
-    #[arg(long, value_enum, default_value_t)]
-    pub(crate) form: TurnsForm,
-    /// A letter for each corner too, not only for nodes
-    #[arg(long)]
-    pub(crate) corners: bool,
-    #[command(flatten)]
-    pub(crate) settings: Options,
-}
-
-/// How a turn list is written.
-#[derive(Clone, Copy, Debug, Default, ValueEnum)]
-pub(crate) enum TurnsForm {
-    /// SSR
-    #[default]
-    Letters,
-    /// One object
-    Json,
-    /// A line a turn
-    Csv,
-    /// An array for an Arduino sketch
-    C,
 }
 
 /// What `compare` takes.
@@ -229,19 +200,6 @@ impl League {
         chosen.sort_unstable();
         Ok(chosen)
     }
-}
-
-/// What `convert` takes.
-#[derive(Args)]
-pub(crate) struct Convert {
-    #[arg(value_name = "IN", help = MAZE_HELP)]
-    pub(crate) from: PathBuf,
-    /// The file to write: .maze (text), .json (for programs), .svg (a picture in true size); walls also as
-    /// micromouse files: .txt (drawing), .map, .num (mms), .maz (256 bytes)
-    #[arg(value_name = "OUT")]
-    pub(crate) to: PathBuf,
-    #[command(flatten)]
-    pub(crate) marks: Marks,
 }
 
 /// What `robot` takes.

@@ -1,16 +1,16 @@
 //! Mazes in and out: reading a file or standard input, `generate`, and `convert`.
 
-use std::fs::{self, File};
+use std::fs::File;
 use std::io::{self, Read, Write};
 use std::path::Path;
 
-use line_maze_lab::maze::file::{self, Format, ReadError};
+use line_maze_lab::maze::file::{self, ReadError};
 use line_maze_lab::maze::generate;
 use line_maze_lab::maze::json::{self, JsonError};
 use line_maze_lab::maze::micromouse::Spot;
 use line_maze_lab::maze::{Maze, text};
 
-use crate::args::{Convert, Generate, Input, Marks};
+use crate::args::{Generate, Input, Marks};
 use crate::locate::{self, Place};
 use crate::{Failure, Status};
 
@@ -28,7 +28,10 @@ pub(crate) fn marked(path: &Path, marks: &Marks) -> Result<Maze, Failure> {
 
 /// Reads a maze from a file, or from standard input where the path is `-`.
 pub(crate) fn read(path: &Path) -> Result<Maze, Failure> {
-    let bytes = bytes(path).map_err(|error| Failure::Message(format!("{}: {error}", name(path))))?;
+    if path.is_dir() {
+        return Err(Failure::Message(format!("{}: this is a folder; name a maze file in it", name(path))));
+    }
+    let bytes = bytes(path).map_err(|error| Failure::at(path, &error))?;
     file::read(&bytes).map_err(|error| {
         Failure::Message(match placed(&bytes, &error) {
             (Some(place), message) => format!("{}:{}:{}: {message}", name(path), place.line, place.column),
@@ -93,26 +96,4 @@ pub(crate) fn generate(args: &Generate, out: &mut impl Write) -> Result<Status, 
     let maze = generate::generate(&args.recipe()).map_err(|error| Failure::Message(error.to_string()))?;
     out.write_all(text::write(&maze).as_bytes())?;
     Ok(Status::Good)
-}
-
-/// `linemaze convert`
-pub(crate) fn convert(Convert { from, to, marks }: &Convert) -> Result<Status, Failure> {
-    let format = format(to)?;
-    let maze = marked(from, marks)?;
-    let bytes = file::write(&maze, format)
-        .map_err(|error| Failure::Message(format!("{}: cannot become {}: {error}", name(from), name(to))))?;
-    fs::write(to, bytes).map_err(|error| Failure::Message(format!("{}: {error}", to.display())))?;
-    Ok(Status::Good)
-}
-
-/// The format of this extension.
-fn format(to: &Path) -> Result<Format, Failure> {
-    let extension = to.extension().map(|extension| extension.to_string_lossy());
-    extension.as_deref().and_then(Format::of_extension).ok_or_else(|| {
-        Failure::Message(format!(
-            "{}: the extension chooses the format; it is .maze, .json or .svg, or for walls .txt, .map, .num or \
-             .maz",
-            to.display()
-        ))
-    })
 }

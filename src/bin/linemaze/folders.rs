@@ -5,7 +5,7 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use crate::complain;
+use crate::{complain, why};
 
 /// Files, in the order of their names, folder by folder.
 #[derive(Default)]
@@ -51,7 +51,7 @@ impl Files {
             Ok(inside) => inside.iter().for_each(|path| self.entry(path)),
             Err(error) => {
                 self.unusable += 1;
-                complain(&format!("{}: {error}", path.display()));
+                complain(&format!("{}: {}", path.display(), why(&error)));
             }
         }
     }

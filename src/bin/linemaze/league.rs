@@ -72,7 +72,7 @@ fn write(path: &Path, text: &str, out: &mut impl Write) -> Result<(), Failure> {
     if is_output(path) {
         return Ok(out.write_all(text.as_bytes())?);
     }
-    fs::write(path, text).map_err(|error| Failure::Message(format!("{}: {error}", path.display())))
+    fs::write(path, text).map_err(|error| Failure::at(path, &error))
 }
 
 /// All the mazes, and how many files and folders gave none; those are named on standard error.
