@@ -1,7 +1,7 @@
 //! Explorers side by side: what each comes to in the same maze ([`score`]), where two of them part
 //! ([`parting`], several of them [`forks`]), where they all are at the same time ([`abreast`]), what they left on
 //! the floor by then ([`floor`]), how much luck is in random orders ([`orders`]), the league over many mazes
-//! ([`league`]), and what the page draws and says of it ([`plot`], [`words`]).
+//! ([`league`]), what the page draws and says of it ([`plot`], [`words`]), and what spreadsheets get ([`sheet`]).
 //!
 //! Everything is pure and comes in pieces of one run each, so that a worker can say how far it is and stop.
 
@@ -13,6 +13,7 @@ pub mod orders;
 pub mod parting;
 pub mod plot;
 pub mod score;
+pub mod sheet;
 pub mod words;
 
 use core::fmt;
@@ -48,7 +49,7 @@ impl fmt::Display for LineupError {
             Self::Count(count) => {
                 write!(f, "{} to {} explorers are compared, not {count}", Lineup::LEAST, Lineup::MOST)
             }
-            Self::Twice(name) => write!(f, "{name} is there twice; choose another one"),
+            Self::Twice(name) => write!(f, "“{name}” is there twice; name each once"),
         }
     }
 }
@@ -69,16 +70,25 @@ impl Lineup {
         if !(Self::LEAST..=Self::MOST).contains(&names.len()) {
             return Err(LineupError::Count(names.len()));
         }
-        match names.iter().enumerate().find(|(nth, name)| names[..*nth].contains(name)) {
-            Some((_, &name)) => Err(LineupError::Twice(name)),
-            None => Ok(Self(names)),
-        }
+        each_once(&names)?;
+        Ok(Self(names))
     }
 
     /// The explorers.
     #[must_use]
     pub fn names(&self) -> &[Name] {
         &self.0
+    }
+}
+
+/// Whether no explorer is named twice: it would drive the same way again.
+///
+/// # Errors
+/// Names the first that is.
+pub fn each_once(names: &[Name]) -> Result<(), LineupError> {
+    match names.iter().enumerate().find(|(nth, name)| names[..*nth].contains(name)) {
+        Some((_, &name)) => Err(LineupError::Twice(name)),
+        None => Ok(()),
     }
 }
 

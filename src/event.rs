@@ -93,6 +93,15 @@ impl Look {
             Home::Away | Home::Back => self.sighting.seen().name(),
         }
     }
+
+    /// What people call it.
+    #[must_use]
+    pub const fn shown(self) -> &'static str {
+        match self.home {
+            Home::PutDown => "start",
+            Home::Away | Home::Back => self.sighting.seen().shown(),
+        }
+    }
 }
 
 /// What a stop looks like, seen from the line that the robot came along.
@@ -141,6 +150,15 @@ impl Seen {
             Self::Corner => "corner",
             Self::Straight => "straight",
             Self::Node => "node",
+        }
+    }
+
+    /// As people read it.
+    #[must_use]
+    pub const fn shown(self) -> &'static str {
+        match self {
+            Self::DeadEnd => "dead end",
+            Self::Finish | Self::Corner | Self::Straight | Self::Node => self.name(),
         }
     }
 }
@@ -231,6 +249,26 @@ impl Outcome {
             Self::Cut(Cut::ConnectionLost) => "connection-lost",
             Self::Cut(Cut::Gap) => "gap",
             Self::Cut(Cut::Misfit) => "misfit",
+        }
+    }
+
+    /// As people read it, in a word or two.
+    #[must_use]
+    pub const fn shown(self) -> &'static str {
+        match self {
+            Self::NoFinishReachable => "no finish reachable",
+            Self::TableFull { .. } => "table full",
+            Self::PathFull { .. } => "path full",
+            Self::Cut(Cut::ConnectionLost) => "connection lost",
+            Self::Cut(Cut::Gap) => "a line was lost",
+            Self::Cut(Cut::Misfit) => "it does not fit its drive",
+            Self::Finish
+            | Self::Mapped
+            | Self::Circling { .. }
+            | Self::Stuck
+            | Self::NoLine { .. }
+            | Self::TooManyStops { .. }
+            | Self::Cut(Cut::Driving | Cut::Stopped) => self.name(),
         }
     }
 }

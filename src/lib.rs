@@ -11,7 +11,9 @@ extern crate alloc;
 #[cfg(all(any(test, feature = "cli"), not(feature = "web")))]
 extern crate std;
 
+pub mod brief;
 pub mod compare;
+mod csv;
 pub mod decimal;
 pub mod event;
 pub mod explorer;

@@ -7,6 +7,7 @@ use serde::Serialize;
 use crate::compare::score::{judged, why_failed};
 use crate::event::{Outcome, Seen};
 use crate::explorer::book::Case;
+use crate::geometry::{Heading, Turn};
 use crate::ink::{Ink, cells_driven};
 use crate::maze::Maze;
 use crate::playback::Timeline as _;
@@ -220,6 +221,22 @@ pub struct StopReport {
     pub cur_y: i32,
     /// Cells that the book's explorer has crossed out after the stop.
     pub crossed_cells: Option<u32>,
+    /// The same for people.
+    #[serde(skip)]
+    pub shown: ShownStop,
+}
+
+/// What of a stop people read in words and letters of their own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ShownStop {
+    /// What the place looks like.
+    pub seen: &'static str,
+    /// The case.
+    pub case: Option<&'static str>,
+    /// The turn made there; none where it stayed.
+    pub turn: Option<Turn>,
+    /// The way out, in the bot's frame.
+    pub leaves: Option<Heading>,
 }
 
 impl StopReport {
@@ -239,6 +256,12 @@ impl StopReport {
             cur_x: state.cur_x,
             cur_y: state.cur_y,
             crossed_cells: Some(ink.crossed_cells(stop)),
+            shown: ShownStop {
+                seen: step.sighting().seen().shown(),
+                case: step.case().shown(),
+                turn: step.turn(),
+                leaves: step.turn().map(|_| step.departure()),
+            },
         })
     }
 }
@@ -251,19 +274,26 @@ impl StopReport {
         let from_start = run.from_start(at);
         let here = cursor.seek(run, stop);
         let node = here.mind.robot().node(here.look);
-        let leaves = |turn| step.heading().turned(turn).in_frame_of(run.start().heading).index();
+        let leaves = |turn| step.heading().turned(turn).in_frame_of(run.start().heading);
+        let leaves = step.turn().map(leaves);
         Self {
             stop,
             at: [at.x, at.y],
             seen: here.look.seen_name(),
             case: Some(run.case(stop).name),
             node,
-            leaves: step.turn().map(leaves),
+            leaves: leaves.map(Heading::index),
             ptr: None,
             returning: None,
             cur_x: from_start.x.saturating_mul(run.cell_ms() as i32),
             cur_y: from_start.y.saturating_mul(run.cell_ms() as i32),
             crossed_cells: None,
+            shown: ShownStop {
+                seen: here.look.shown(),
+                case: Some(run.case(stop).shown),
+                turn: step.turn(),
+                leaves,
+            },
         }
     }
 }
@@ -291,5 +321,10 @@ fn ratio(ours: Option<f64>, best: Option<f64>) -> Option<f64> {
 
 /// Rounded to millionths: 4.4, not 4.400000000000001.
 pub(crate) fn tidy(number: f64) -> f64 {
-    if number < 1e9 { (number * 1e6 + 0.5) as u64 as f64 / 1e6 } else { number }
+    if number.abs() < 1e9 {
+        let half = if number < 0.0 { -0.5 } else { 0.5 };
+        (number * 1e6 + half) as i64 as f64 / 1e6
+    } else {
+        number
+    }
 }

@@ -12,6 +12,7 @@ pub mod best;
 pub mod follow;
 pub mod forms;
 pub mod lab;
+pub mod letters;
 pub mod tally;
 mod turn_list;
 pub mod words;

@@ -201,14 +201,65 @@ fn trace_tells_people_too() {
     let said = linemaze(&["trace", FIGURE, "--epsilon", "1000"]);
     assert_eq!(said.status, 1);
     expect![[r#"
-        stop at      seen     case          node leaves ptr  returning cur_x   cur_y   crossed
-        1    0,1     node     new           1    0      2    false     0       400     0
-        2    0,3     node     unknown-uturn 1    2      2    true      0       1200    0
-        3    0,1     node     known         1    1      2    false     0       400     2
-        4    2,1     node     unknown-back  1    2      1    true      800     400     4
+        stop at      seen     case                   node turn leaves ptr  returning cur_x   cur_y   crossed
+        1    0,1     node     new node               1    S    N      2    false     0       400     0
+        2    0,3     node     RETURN-UNKNOWN, U-turn 1    B    S      2    true      0       1200    0
+        3    0,1     node     RETURN-KNOWN           1    L    E      2    false     0       400     2
+        4    2,1     node     RETURN-UNKNOWN, back   1    R    S      1    true      800     400     4
         lost at node 1: there is no line south (2)
     "#]]
     .assert_eq(&said.out);
+    let turned = linemaze(&["trace", "mazes/turned.maze", "--explorer", "mapping"]).out;
+    assert!(turned.contains("\n2    4,5     dead end nearest                2    B    W "), "{turned}");
+    assert!(
+        turned.contains("\nN of the robot, where it faced at the start, is the drawing’s west\n"),
+        "{turned}"
+    );
+    let help = linemaze(&["trace", "--help"]).out;
+    for column in turned.lines().next().unwrap().split_whitespace() {
+        assert!(help.contains(&format!("\n  {column} ")) || help.contains("cur_y: to the north"), "{column}");
+    }
+}
+
+/// What cannot be written is said, whatever it is; a reader that has enough is no fault.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk_is_an_error_of_every_command() {
+    let commands: [&[&str]; 16] = [
+        &["--help"],
+        &["-h"],
+        &["help"],
+        &["help", "run"],
+        &["trace", "--help"],
+        &["--version"],
+        &["run", FIGURE],
+        &["run", FIGURE, "--json"],
+        &["trace", FIGURE],
+        &["turns", FIGURE],
+        &["compare", FIGURE],
+        &["league", FIGURE],
+        &["league", FIGURE, "--csv", "-"],
+        &["check", FIGURE],
+        &["generate"],
+        &["robot", "--stdio", "--quiet", "--maze", FIGURE],
+    ];
+    for args in commands {
+        let full = std::fs::File::options().write(true).open("/dev/full").unwrap();
+        let mut child = command(args).stdout(full).spawn().unwrap();
+        // The robot says something once it is spoken to, and goes on as long as somebody could speak.
+        let mut input = child.stdin.take().unwrap();
+        let _ = input.write_all(b"\nhi #0*04\n");
+        let output = child.wait_with_output().unwrap();
+        let said = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(2), "{args:?}: {said}");
+        assert!(said.starts_with("standard output: No space left on device"), "{args:?}: {said}");
+        let mut child = command(args).spawn().unwrap();
+        drop(child.stdout.take());
+        let mut input = child.stdin.take().unwrap();
+        let _ = input.write_all(b"\nhi #0*04\n");
+        let output = child.wait_with_output().unwrap();
+        assert_eq!((output.status.code(), output.stderr), (Some(0), Vec::new()), "{args:?}");
+    }
 }
 
 #[test]

@@ -4,7 +4,9 @@
 mod support;
 
 use line_maze_lab::compare::abreast::{self, Clock};
-use line_maze_lab::compare::league::{Course, CourseResult, League, results_csv, standings, standings_csv};
+use line_maze_lab::compare::league::{
+    Course, CourseResult, League, absences, results_csv, standings, standings_csv,
+};
 use line_maze_lab::compare::orders::{Draws, draw};
 use line_maze_lab::compare::parting;
 use line_maze_lab::compare::score::{Bests, Column, Score, solved};
@@ -71,7 +73,7 @@ proptest! {
                     let next = walk.get(common).map(|&(at, _)| at);
                     prop_assert_eq!(side.leaves.map(|heading| parting.at.step(heading)), next);
                 }
-                prop_assert!(parting.words().contains(&parting.at.to_string()));
+                prop_assert!(parting.words(['A', 'B']).contains(&parting.at.to_string()));
             }
         }
     }
@@ -160,7 +162,7 @@ fn two_to_six_different_explorers() {
     assert_eq!(all(7), Err(LineupError::Count(7)));
     assert_eq!(all(6).unwrap().names(), &Name::ALL[..6]);
     let twice = Lineup::new(vec![Name::Book, Name::LeftHand, Name::Book]);
-    assert_eq!(twice.unwrap_err().to_string(), "book is there twice; choose another one");
+    assert_eq!(twice.unwrap_err().to_string(), "“book” is there twice; name each once");
 }
 
 #[test]
@@ -217,12 +219,18 @@ fn the_league_counts_what_its_runs_come_to() {
     let file = &results[0];
     assert!(file.entries.iter().all(|entry| entry.score == Err(CannotStart::NoStart)));
     for standing in &standings {
-        assert!(standing.runs < league.courses.len() && standing.solved <= standing.runs);
+        assert!(standing.runs < league.courses.len() && standing.solved <= standing.solvable());
+        assert_eq!(standing.runs + standing.absent, league.courses.len());
         let ratio = standing.quartiles(Column::RatioShortest);
         assert_eq!(ratio.map_or(0, |ratio| ratio.count), standing.solved);
         assert!(ratio.is_none_or(|ratio| ratio.least >= 1.0 && ratio.lower <= ratio.median));
         assert_eq!(standing.quartiles(Column::Stops).map(|stops| stops.count), Some(standing.runs));
     }
+    let absences = absences(&results);
+    let runs: usize = absences.iter().map(|absence| absence.names.len()).sum();
+    assert_eq!(runs, standings.iter().map(|standing| standing.absent).sum::<usize>());
+    let everybody = absences.iter().find(|absence| absence.course == file.course).unwrap();
+    assert_eq!((&everybody.names, everybody.why), (&league.names, CannotStart::NoStart));
     let share =
         |name| standings.iter().find(|standing| standing.name == name).unwrap().share_solved().unwrap();
     assert!(share(Name::DepthFirst) >= 1.0, "depth first always arrives");

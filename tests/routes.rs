@@ -6,7 +6,7 @@ mod random;
 use line_maze_lab::geometry::{Heading, Point, Turn};
 use line_maze_lab::maze::{Maze, Start, samples, text};
 use line_maze_lab::route::follow::{End, Strayed, follow};
-use line_maze_lab::route::{Corners, Route, TurnList, best, lab};
+use line_maze_lab::route::{Corners, Route, TurnList, best, lab, letters};
 use line_maze_lab::settings::Pace;
 use proptest::prelude::*;
 
@@ -181,7 +181,7 @@ fn the_way_back_leads_home() {
 fn where_a_list_leads_is_said_with_its_place() {
     let maze = samples::figure_3_1();
     let ends = |letters: &str| {
-        let list = lab::parse(letters).unwrap();
+        let list = letters::read(letters).unwrap();
         match follow(&maze, maze.start().unwrap(), &list, Corners::LeftOut).end {
             End::Finish { left_over } => format!("finish, {left_over} left"),
             End::Strayed(strayed) => strayed.to_string(),

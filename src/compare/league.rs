@@ -14,10 +14,12 @@ use crate::run::record;
 use crate::settings::Settings;
 use crate::world::CannotStart;
 
+mod absent;
 mod csv;
 pub mod desk;
 mod quartiles;
 
+pub use absent::{Absence, absences, absent_runs};
 pub use csv::{results_csv, standings_csv};
 pub use quartiles::Quartiles;
 
@@ -49,12 +51,24 @@ impl Course {
             .map(move |more| Self::Generated(Recipe { seed: recipe.seed.wrapping_add(more), ..recipe }))
     }
 
-    /// How the tables call it.
+    /// How programs call it.
     #[must_use]
     pub fn name(&self) -> String {
         match self {
             Self::Sample(sample) => sample.file.to_string(),
             Self::Generated(recipe) => format!("{}x{} seed {}", recipe.width, recipe.height, recipe.seed),
+            Self::File { name, .. } => name.clone(),
+        }
+    }
+
+    /// How people call it.
+    #[must_use]
+    pub fn title(&self) -> String {
+        match self {
+            Self::Sample(sample) => sample.label.to_string(),
+            Self::Generated(recipe) => {
+                format!("{} × {}, seed {}", recipe.width, recipe.height, recipe.seed)
+            }
             Self::File { name, .. } => name.clone(),
         }
     }
@@ -147,6 +161,8 @@ pub struct Standing {
     pub name: Name,
     /// Courses that it could be put down on.
     pub runs: usize,
+    /// Those that it could not start in.
+    pub absent: usize,
     /// Those on which it left a route to the finish.
     pub solved: usize,
     /// Those on which no way leads there: nobody could.
@@ -156,11 +172,27 @@ pub struct Standing {
 }
 
 impl Standing {
-    /// The share of the courses with a way to the finish that it solved.
+    /// The courses that it ran on and that could be solved: a way leads to their finish.
+    #[must_use]
+    pub const fn solvable(&self) -> usize {
+        self.runs - self.hopeless
+    }
+
+    /// The share of those that it solved.
     #[must_use]
     pub fn share_solved(&self) -> Option<f64> {
-        let possible = self.runs - self.hopeless;
-        (possible > 0).then(|| self.solved as f64 / possible as f64)
+        (self.solvable() > 0).then(|| self.solved as f64 / self.solvable() as f64)
+    }
+
+    /// That share in whole per cent; all and none are said of all and none only.
+    #[must_use]
+    pub fn percent_solved(&self) -> Option<u32> {
+        let nearest = (self.share_solved()? * 100.0 + 0.5) as u32;
+        Some(match self.solved {
+            0 => 0,
+            all if all == self.solvable() => 100,
+            _ => nearest.clamp(1, 99),
+        })
     }
 
     /// Median and quartiles of a column; none where no run has a number there.
@@ -177,15 +209,36 @@ pub fn standings(names: &[Name], results: &[CourseResult]) -> Vec<Standing> {
 }
 
 fn standing(name: Name, results: &[CourseResult]) -> Standing {
-    let entries = results.iter().flat_map(|result| &result.entries).filter(|entry| entry.name == name);
-    let scores: Vec<&Score> = entries.filter_map(|entry| entry.score.as_ref().ok()).collect();
+    let entries = || results.iter().flat_map(|result| &result.entries).filter(|entry| entry.name == name);
+    let scores: Vec<&Score> = entries().filter_map(|entry| entry.score.as_ref().ok()).collect();
     let numbers =
         Column::ALL.map(|column| Quartiles::of(scores.iter().filter_map(|score| score.number(column))));
     Standing {
         name,
         runs: scores.len(),
+        absent: entries().count() - scores.len(),
         solved: scores.iter().filter(|score| score.is_solved()).count(),
         hopeless: scores.iter().filter(|score| score.bests.shortest.is_none()).count(),
         numbers: numbers.to_vec(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn all_and_none_are_said_of_all_and_none_only() {
+        let percent = |solved, runs, hopeless| {
+            let standing =
+                Standing { name: Name::Book, runs, absent: 3, solved, hopeless, numbers: Vec::new() };
+            standing.percent_solved()
+        };
+        assert_eq!(percent(116, 122, 3), Some(97));
+        assert_eq!(percent(1999, 2000, 0), Some(99));
+        assert_eq!(percent(2000, 2000, 0), Some(100));
+        assert_eq!(percent(1, 2000, 0), Some(1));
+        assert_eq!(percent(0, 2000, 0), Some(0));
+        assert_eq!(percent(0, 5, 5), None);
     }
 }

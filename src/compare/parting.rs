@@ -5,7 +5,6 @@ use alloc::format;
 use alloc::string::String;
 
 use super::Path;
-use crate::explorer::name::Name;
 use crate::geometry::{Heading, Point};
 use crate::maze::{Maze, Start};
 use crate::run::AnyRun;
@@ -24,8 +23,6 @@ pub struct Parting {
 /// What one of two runs does where they part.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Side {
-    /// Who drives.
-    pub name: Name,
     /// Its last stop up to there: the one to open in the stepper.
     pub stop: u32,
     /// Where it goes on to; none where its run is over.
@@ -42,7 +39,7 @@ pub struct Side {
 /// let left = record(&maze, &settings, Name::LeftHand)?;
 /// let right = record(&maze, &settings, Name::RightHand)?;
 /// let parting = parting::first(&maze, &left, &right).unwrap();
-/// assert_eq!(parting.words(), "At 0,1 (stop 1) left-hand goes north and right-hand (stop 1) goes east.");
+/// assert_eq!(parting.words(['A', 'B']), "At 0,1, A (stop 1) goes north, and B (stop 1) goes east.");
 /// # Ok::<(), line_maze_lab::world::CannotStart>(())
 /// ```
 #[must_use]
@@ -121,26 +118,25 @@ impl<'r> Walk<'r> {
     }
 
     fn side(&self, leaves: Option<Heading>) -> Side {
-        Side { name: self.path.run.name(), stop: self.stop, leaves }
+        Side { stop: self.stop, leaves }
     }
 }
 
 impl Parting {
-    /// In a sentence.
+    /// In a sentence, with their letters in the line-up.
     #[must_use]
-    pub fn words(&self) -> String {
+    pub fn words(&self, letters: [char; 2]) -> String {
         let does = |side: &Side| match side.leaves {
             Some(heading) => format!("goes {}", heading.word()),
             None => String::from("is at its end"),
         };
         let [a, b] = &self.sides;
+        let [one, other] = letters;
         format!(
-            "At {} (stop {}) {} {} and {} (stop {}) {}.",
+            "At {}, {one} (stop {}) {}, and {other} (stop {}) {}.",
             self.at,
             a.stop,
-            a.name,
             does(a),
-            b.name,
             b.stop,
             does(b)
         )

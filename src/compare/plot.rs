@@ -125,7 +125,7 @@ pub fn draws_words(draws: &Draws, shortest: Option<u32>) -> String {
 }
 
 /// Names stand left of a box plot's boxes.
-const NAMES: f64 = 128.0;
+const NAMES: f64 = 142.0;
 /// Numbers stand right of them.
 const NUMBERS: f64 = 40.0;
 /// Units of a row.
@@ -148,7 +148,7 @@ pub fn boxes(standings: &[Standing], column: Column) -> String {
     for (nth, (standing, q)) in rows().enumerate() {
         let top = nth as f64 * ROW;
         let Quartiles { lower, median, upper, .. } = q;
-        let part = if standing.share_solved().is_some_and(|share| share < 0.995) { " part" } else { "" };
+        let part = if standing.solved < standing.solvable() { " part" } else { "" };
         // Writing to a string cannot fail.
         let _ = write!(
             svg,
@@ -157,7 +157,7 @@ pub fn boxes(standings: &[Standing], column: Column) -> String {
              <rect class=\"median\" x=\"{:.1}\" y=\"{:.1}\" width=\"4\" height=\"19\" rx=\"2\"/>\
              <text class=\"value\" x=\"{WIDTH}\" y=\"{:.1}\">{}</text>",
             top + 16.0,
-            escaped(standing.name.text()),
+            escaped(standing.name.short()),
             top + 12.0,
             WIDTH - NUMBERS,
             x(lower),

@@ -57,20 +57,21 @@ impl End {
 /// ```
 /// use line_maze_lab::compare::words::ended;
 /// use line_maze_lab::event::Outcome;
-/// assert_eq!(ended(Outcome::Circling { first: 1, again: 34 }), "circling, 1 = 34");
+/// assert_eq!(ended(Outcome::Circling { first: 1, again: 34 }), "circling, stops 1 and 34");
 /// ```
 #[must_use]
 pub fn ended(outcome: Outcome) -> String {
     String::from(match outcome {
-        Outcome::Circling { first, again } => return format!("circling, {first} = {again}"),
-        Outcome::Finish => "finish",
-        Outcome::Mapped => "mapped",
+        Outcome::Circling { first, again } => return format!("circling, stops {first} and {again}"),
         Outcome::NoFinishReachable => "no way there",
-        Outcome::Stuck => "stuck",
-        Outcome::PathFull { .. } => "path full",
-        Outcome::TableFull { .. } => "table full",
-        Outcome::NoLine { .. } | Outcome::TooManyStops { .. } => "lost",
-        Outcome::Cut(_) => outcome.name(),
+        Outcome::Finish
+        | Outcome::Mapped
+        | Outcome::Stuck
+        | Outcome::PathFull { .. }
+        | Outcome::TableFull { .. }
+        | Outcome::NoLine { .. }
+        | Outcome::TooManyStops { .. }
+        | Outcome::Cut(_) => outcome.shown(),
     })
 }
 

@@ -88,6 +88,21 @@ impl Case {
             Self::UnknownBack => Some("unknown-back"),
         }
     }
+
+    /// As people read it, in the book's terms.
+    #[must_use]
+    pub const fn shown(self) -> Option<&'static str> {
+        match self {
+            Self::Finish | Self::Corner | Self::TableFull => None,
+            Self::Start => Some("start"),
+            Self::DeadEnd => Some("dead end"),
+            Self::New => Some("new node"),
+            Self::Known => Some("RETURN-KNOWN"),
+            Self::KnownBack => Some("RETURN-KNOWN, back"),
+            Self::UnknownUturn => Some("RETURN-UNKNOWN, U-turn"),
+            Self::UnknownBack => Some("RETURN-UNKNOWN, back"),
+        }
+    }
 }
 
 /// What the book's explorer tells of its work at a stop.

@@ -194,6 +194,27 @@ impl Name {
         }
     }
 
+    /// As people read it where there is little room, in tables and plots: the beginning of its title.
+    #[must_use]
+    pub const fn short(self) -> &'static str {
+        match self {
+            Self::Book => "Book",
+            Self::LeftHand => "Left hand",
+            Self::RightHand => "Right hand",
+            Self::DirectionSumLeft => "Direction sums, left",
+            Self::DirectionSumRight => "Direction sums, right",
+            Self::Mapping => "Full mapping",
+            Self::ParexLeft => "Path mapping, left",
+            Self::ParexRight => "Path mapping, right",
+            Self::Cornell1 => "Cornell 1",
+            Self::Cornell2 => "Cornell 2",
+            Self::Cornell3 => "Cornell 3",
+            Self::Tremaux => "Trémaux",
+            Self::DepthFirst => "Depth first",
+            Self::FloodFill => "Flood fill",
+        }
+    }
+
     /// Whether it heeds a setting, besides the pace, which all heed.
     #[must_use]
     pub const fn heeds(self, setting: Setting) -> bool {

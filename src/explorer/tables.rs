@@ -21,6 +21,10 @@ macro_rules! cases {
         /// What a stop can be, with the words for it.
         pub static CASES: &[$crate::explorer::tell::Case] = &[$($crate::explorer::tell::Case {
             name: $word,
+            shown: {
+                const SHOWN: [u8; $word.len()] = $crate::explorer::tell::spaced($word);
+                $crate::explorer::tell::text(&SHOWN)
+            },
             tone: $crate::explorer::book::narrate::Tone::$tone,
             mark: $crate::playback::Mark::$mark,
             told: $told,

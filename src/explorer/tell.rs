@@ -22,12 +22,36 @@ pub mod line;
 pub struct Case {
     /// The explorer's own word, as the trace report prints it.
     pub name: &'static str,
+    /// The same as people read it: `next way` for `next-way`.
+    pub shown: &'static str,
     /// The ground on which it is shown.
     pub tone: Tone,
     /// How the scrubber marks it.
     pub mark: Mark,
     /// The template of its sentences.
     pub told: &'static str,
+}
+
+/// A name for programs with blanks for its hyphens, as the bytes of a text.
+pub(super) const fn spaced<const N: usize>(name: &str) -> [u8; N] {
+    let mut bytes = [b' '; N];
+    let mut at = 0;
+    while at < N {
+        if name.as_bytes()[at] != b'-' {
+            bytes[at] = name.as_bytes()[at];
+        }
+        at += 1;
+    }
+    bytes
+}
+
+/// Those bytes as the text that they are.
+pub(super) const fn text(bytes: &'static [u8]) -> &'static str {
+    match core::str::from_utf8(bytes) {
+        Ok(text) => text,
+        // Only ASCII hyphens were replaced.
+        Err(_) => "",
+    }
 }
 
 /// The most lines that are noted at a stop; what runs after that is not.
@@ -186,7 +210,7 @@ impl Told<'_> {
     #[must_use]
     pub fn narrate(&self, mind: &dyn Robot) -> Narration {
         let verdict = match self.decision {
-            Decision::End(outcome) => self.verdict(outcome).map(|(tone, text)| (outcome.name(), tone, text)),
+            Decision::End(outcome) => self.verdict(outcome).map(|(tone, text)| (outcome.shown(), tone, text)),
             Decision::Go(_) => None,
         };
         let mut said = Vec::new();
@@ -197,7 +221,7 @@ impl Told<'_> {
             }
             None => {
                 self.fill(self.case.told, mind, &mut said);
-                (self.case.name, self.case.tone)
+                (self.case.shown, self.case.tone)
             }
         };
         let short = first_sentence(&said);

@@ -16,10 +16,29 @@ use crate::geometry::Point;
 /// ```
 #[must_use]
 pub fn write(maze: &Maze) -> String {
+    written(maze, None)
+}
+
+/// A drive on the floor.
+#[derive(Clone, Copy, Debug)]
+pub struct Way<'a> {
+    /// From where to where, turning point by turning point.
+    pub points: &'a [Point],
+    /// Whose it is.
+    pub title: &'a str,
+}
+
+/// Writes the picture with a drive: a green line with white sides, half as wide as the maze's lines.
+#[must_use]
+pub fn write_way(maze: &Maze, way: &Way<'_>) -> String {
+    written(maze, Some(way))
+}
+
+fn written(maze: &Maze, way: Option<&Way<'_>>) -> String {
     let floor = Floor::of(maze);
     let mut out = String::new();
     // Writing to a string cannot fail.
-    let _ = draw(&mut out, maze, &floor);
+    let _ = draw(&mut out, maze, way, &floor);
     out
 }
 
@@ -85,7 +104,7 @@ impl fmt::Display for Pair {
     }
 }
 
-fn draw(out: &mut String, maze: &Maze, floor: &Floor) -> fmt::Result {
+fn draw(out: &mut String, maze: &Maze, way: Option<&Way<'_>>, floor: &Floor) -> fmt::Result {
     let (width, height) = (Mm(floor.width_um), Mm(floor.height_um));
     writeln!(
         out,
@@ -102,6 +121,9 @@ fn draw(out: &mut String, maze: &Maze, floor: &Floor) -> fmt::Result {
     match maze.kind {
         Kind::Line => draw_lines(out, maze, floor)?,
         Kind::Wall => draw_walls(out, maze, floor)?,
+    }
+    if let Some(way) = way {
+        draw_way(out, floor, way)?;
     }
     draw_finish(out, maze, floor)?;
     out.write_str("</svg>\n")
@@ -145,6 +167,19 @@ fn draw_walls(out: &mut String, maze: &Maze, floor: &Floor) -> fmt::Result {
         write!(out, "M{}h0", Pair(Mm(x), Mm(y)))?;
     }
     out.write_str("\"/>\n")
+}
+
+/// In print without colours it is a light line in a dark one.
+fn draw_way(out: &mut String, floor: &Floor, way: &Way<'_>) -> fmt::Result {
+    writeln!(out, "<g fill=\"none\" stroke-linejoin=\"round\"><title>{}</title>", Escaped(way.title))?;
+    for (colour, width_um) in [("#fff", floor.line_um * 3 / 4), ("#157347", floor.line_um / 2)] {
+        write!(out, "<path stroke=\"{colour}\" stroke-width=\"{}\" d=\"", Mm(width_um))?;
+        for (nth, &point) in way.points.iter().enumerate() {
+            write!(out, "{}{}", if nth == 0 { "M" } else { "L" }, floor.at(point))?;
+        }
+        out.write_str("\"/>\n")?;
+    }
+    out.write_str("</g>\n")
 }
 
 /// A disc of half a cell under the line; the arrow is in its rear half, which the line leaves free.
@@ -216,6 +251,19 @@ mod tests {
         expected.assert_eq(&picture(
             "title: <A & B>\ncell_mm: 100.5\nline_mm: 19.05\norigin: -1,-1\n\n+---F\n|\n^   .\n",
         ));
+    }
+
+    #[test]
+    fn a_way_lies_on_the_lines_and_under_the_finish() {
+        let maze = text::parse("line-maze: 1\ncell_mm: 100\nline_mm: 20\n\n+---F\n|\n^   .\n").unwrap();
+        let points = [(0, 0), (0, 1), (1, 1)].map(|(x, y)| Point::new(x, y));
+        let picture = write_way(&maze, &Way { points: &points, title: "A & B: 2 cells" });
+        let way = "<g fill=\"none\" stroke-linejoin=\"round\"><title>A &amp; B: 2 cells</title>\n\
+            <path stroke=\"#fff\" stroke-width=\"15\" d=\"M100 200L100 100L200 100\"/>\n\
+            <path stroke=\"#157347\" stroke-width=\"10\" d=\"M100 200L100 100L200 100\"/>\n</g>\n";
+        let (before, after) = picture.split_once(way).unwrap();
+        assert_eq!(alloc::format!("{before}{after}"), write(&maze));
+        assert!(before.contains("stroke=\"#111\"") && after.contains("<path fill=\"#111\""), "{picture}");
     }
 
     #[test]

@@ -3,30 +3,8 @@
 
 use alloc::vec::Vec;
 
-use super::turn_list::{NotATurn, TurnList};
+use super::turn_list::TurnList;
 use crate::geometry::Turn;
-
-/// Reads what people type: small letters too, with blanks, commas and dashes between them.
-///
-/// ```
-/// use line_maze_lab::route::lab::parse;
-/// assert_eq!(parse("l, s-R B")?.to_string(), "LSRB");
-/// let error = parse("LSX").unwrap_err().to_string();
-/// assert_eq!(error, "letter 3 is “X”: a turn list has the letters L, S, R and B");
-/// # Ok::<(), line_maze_lab::route::NotATurn>(())
-/// ```
-///
-/// # Errors
-/// At the first character that names no turn; its place counts every character from 1.
-pub fn parse(text: &str) -> Result<TurnList, NotATurn> {
-    let between = |c: char| c.is_whitespace() || matches!(c, ',' | '-' | ';');
-    let letters = text.chars().enumerate().filter(|&(_, c)| !between(c));
-    letters
-        .map(|(i, letter)| {
-            Turn::from_letter(letter.to_ascii_uppercase()).ok_or(NotATurn { place: i + 1, letter })
-        })
-        .collect()
-}
 
 /// One reduction: three letters become one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -42,10 +20,10 @@ pub struct Reduction {
 /// The first `xBy` of a list, if there is one.
 ///
 /// ```
-/// use line_maze_lab::route::lab::{self, parse};
-/// let reduction = lab::first(parse("SLBLR")?.turns()).map(|first| (first.at, first.one.letter()));
+/// use line_maze_lab::route::{lab, letters};
+/// let reduction = lab::first(letters::read("SLBLR")?.turns()).map(|first| (first.at, first.one.letter()));
 /// assert_eq!(reduction, Some((1, 'S')));
-/// # Ok::<(), line_maze_lab::route::NotATurn>(())
+/// # Ok::<(), line_maze_lab::route::letters::Misread>(())
 /// ```
 #[must_use]
 pub fn first(turns: &[Turn]) -> Option<Reduction> {
@@ -96,9 +74,9 @@ pub fn after(list: &TurnList, steps: &[Reduction]) -> TurnList {
 /// The way back: the same nodes in the other order, left where it was right.
 ///
 /// ```
-/// use line_maze_lab::route::lab::{parse, reverse};
-/// assert_eq!(reverse(&parse("SSRL")?).to_string(), "RLSS");
-/// # Ok::<(), line_maze_lab::route::NotATurn>(())
+/// use line_maze_lab::route::{lab::reverse, letters::read};
+/// assert_eq!(reverse(&read("SSRL")?).to_string(), "RLSS");
+/// # Ok::<(), line_maze_lab::route::letters::Misread>(())
 /// ```
 #[must_use]
 pub fn reverse(list: &TurnList) -> TurnList {

@@ -92,7 +92,7 @@ impl core::error::Error for NotATurn {}
 impl FromStr for TurnList {
     type Err = NotATurn;
 
-    /// Reads letters as they are; see [`super::lab::parse`] for what people type.
+    /// Reads letters as they are; see [`super::letters::read`] for what people type.
     fn from_str(text: &str) -> Result<Self, NotATurn> {
         let turn = |(i, letter)| Turn::from_letter(letter).ok_or(NotATurn { place: i + 1, letter });
         text.chars().enumerate().map(turn).collect::<Result<_, _>>().map(Self)

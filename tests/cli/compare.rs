@@ -8,11 +8,13 @@ use super::{FIGURE, linemaze, with_input};
 fn compare_shows_explorers_side_by_side() {
     let said = linemaze(&["compare", FIGURE, "--explorers", "book,right-hand,mapping"]);
     assert_eq!((said.status, said.err.as_str()), (0, ""));
-    let book = said.out.lines().find(|line| line.starts_with("book ")).unwrap();
+    let book = said.out.lines().find(|line| line.starts_with("A  Book ")).unwrap();
     assert!(book.contains(" 49 ") && book.contains(" 1.00 ") && book.ends_with("finish reached"), "{book}");
     assert!(said.out.contains("circling: stop "), "{}", said.out);
-    let parting = "At 0,1 (stop 1) book goes north and right-hand (stop 1) goes east.";
+    let parting = "At 0,1, A (stop 1) goes north, and B (stop 1) goes east.";
     assert!(said.out.contains(parting), "{}", said.out);
+    let blanks = linemaze(&["compare", FIGURE, "--explorers", " Book, right-hand ,mapping"]);
+    assert_eq!((blanks.status, blanks.out), (0, said.out), "{}", blanks.err);
     let objects = linemaze(&["compare", FIGURE, "--json", "--explorers", "book,tremaux"]).out;
     let objects: Vec<Value> = objects.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
     assert_eq!((&objects[0]["explorer"], &objects[1]["explorer"]), (&"book".into(), &"tremaux".into()));
@@ -22,7 +24,8 @@ fn compare_shows_explorers_side_by_side() {
     });
     for (explorers, message) in [
         ("book", "2 to 6 explorers are compared, not 1"),
-        ("book,book", "book is there twice"),
+        ("book,book", "“book” is there twice; name each once"),
+        ("book, ,mapping", "--explorers <NAMES>: an explorer’s name is missing"),
         ("book,nobody", "invalid value 'nobody'"),
     ] {
         let said = linemaze(&["compare", FIGURE, "--explorers", explorers]);
@@ -55,16 +58,15 @@ fn who_cannot_start_keeps_a_row_and_the_others_run() {
     let row = |name: &str| {
         said.out.lines().find(|line| line.starts_with(&format!("{name} "))).unwrap().split_whitespace()
     };
-    assert_eq!(row("book").nth(1), Some("-"));
-    assert_eq!(row("book").nth(10), Some("cannot-start:"));
-    assert!(said.out.contains("cannot-start: The start 0,4 has 2 ways: the bot could not"), "{}", said.out);
-    assert_eq!(row("mapping").nth(1), Some("22"));
-    // They part from the first that runs.
+    assert_eq!(row("A  Book").nth(2), Some("-"));
     assert!(
-        said.out.contains("\nAt 0,4 (stop 0) left-hand goes east and mapping (stop 0) goes"),
+        said.out.contains("  -  cannot start: The start 0,4 has 2 ways: the bot could not"),
         "{}",
         said.out
     );
+    assert_eq!(row("D  Full mapping").nth(3), Some("22"));
+    // They part from the first that runs.
+    assert!(said.out.contains("\nAt 0,4, B (stop 0) goes east, and D (stop 0) goes"), "{}", said.out);
     let objects = linemaze(&["compare", TWO_WAYS, "--json", "--explorers", "book,left-hand"]);
     assert_eq!((objects.status, objects.err.as_str()), (0, ""));
     let objects: Vec<Value> = objects.out.lines().map(|line| serde_json::from_str(line).unwrap()).collect();

@@ -188,3 +188,65 @@ fn a_finish_off_the_centre_is_left_out_when_told_to() {
     assert_eq!(linemaze(&["convert", &half, large.to_str().unwrap()]).status, 0);
     assert_eq!(std::fs::read(large).unwrap(), std::fs::read(half).unwrap());
 }
+#[test]
+fn convert_writes_to_standard_output_in_the_format_that_is_asked_for() {
+    let convert = |args: &[&str]| linemaze(&[&["convert"], args].concat());
+    let maze = convert(&["mazes/book-3-1.maze", "-", "--to", "maze"]);
+    assert_eq!((maze.status, maze.err.as_str()), (0, ""));
+    let file = scratch("same.maze");
+    assert_eq!(convert(&["mazes/book-3-1.maze", file.to_str().unwrap()]).err, "");
+    assert_eq!(maze.out, std::fs::read_to_string(&file).unwrap());
+    let json = with_input(&["convert", "-", "-", "--to", "json"], &maze.out);
+    assert!(json.out.starts_with('{'), "{}", json.out);
+    assert_eq!(with_input(&["convert", "-", "-", "--to", "maze"], &json.out).out, maze.out);
+    assert!(!std::path::Path::new("-").exists());
+    let unsaid = convert(&["mazes/book-3-1.maze", "-"]);
+    assert_eq!((unsaid.status, unsaid.out.as_str()), (2, ""));
+    assert!(unsaid.err.contains("say --to maze, json or svg"), "{}", unsaid.err);
+    let refused = convert(&["mazes/book-3-1.maze", "-", "--to", "map"]);
+    assert!(refused.err.starts_with("mazes/book-3-1.maze: cannot become a .map: "), "{}", refused.err);
+    // The option goes before the extension.
+    let odd = scratch("drawing.txt");
+    assert_eq!(convert(&["mazes/book-3-1.maze", odd.to_str().unwrap(), "--to", "json"]).err, "");
+    assert_eq!(std::fs::read_to_string(&odd).unwrap(), json.out);
+}
+
+#[test]
+fn a_picture_can_hold_the_route_of_a_run() {
+    let picture =
+        |args: &[&str]| linemaze(&[&["convert", "mazes/book-3-1.maze", "-", "--to", "svg"], args].concat());
+    let plain = picture(&[]).out;
+    let route = picture(&["--route"]);
+    assert_eq!((route.status, route.err.as_str()), (0, ""));
+    // From the start by the nodes to the finish, in millimetres.
+    let way = "M200 1200L200 1000L200 600L200 200L800 200L800 400";
+    assert_eq!((plain.matches(way).count(), route.out.matches(way).count()), (0, 2), "{}", route.out);
+    assert!(route.out.contains("<title>The book’s explorer: 9 cells</title>"), "{}", route.out);
+    let other = picture(&["--route", "--explorer", "book", "--order", "LRS", "--finish", "7,0"]).out;
+    assert!(other.contains("<title>The book’s explorer: ") && !other.contains(way), "{other}");
+    let none = picture(&["--route", "--explorer", "right-hand"]);
+    assert_eq!((none.status, none.out.as_str()), (1, ""));
+    assert!(none.err.starts_with("mazes/book-3-1.maze: no route: circling: "), "{}", none.err);
+    let no_picture = linemaze(&["convert", "mazes/book-3-1.maze", "-", "--to", "json", "--route"]);
+    assert_eq!((no_picture.status, no_picture.out.as_str()), (2, ""));
+    assert!(no_picture.err.contains("only a picture holds a route"), "{}", no_picture.err);
+    for without in [["--explorer", "book"], ["--order", "LRS"]] {
+        let said = picture(&without);
+        assert_eq!((said.status, said.out.as_str()), (2, ""));
+        assert!(said.err.contains("--route"), "{}", said.err);
+    }
+}
+
+/// What the system says is told without its numbers.
+#[test]
+fn files_and_folders_that_cannot_be_read_or_written_are_told_plainly() {
+    for (args, message) in [
+        (&["run", "mazes"][..], "mazes: this is a folder; name a maze file in it\n"),
+        (&["check", "nowhere.maze"], "nowhere.maze: No such file or directory\n"),
+        (&["convert", "mazes/tree.maze", "nowhere/a.maze"], "nowhere/a.maze: No such file or directory\n"),
+        (&["league", "mazes/tree.maze", "--csv", "mazes"], "mazes: Is a directory\n"),
+    ] {
+        let said = linemaze(args);
+        assert_eq!((said.status, said.out.as_str(), said.err.as_str()), (2, "", message), "{args:?}");
+    }
+}

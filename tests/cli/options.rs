@@ -8,10 +8,10 @@ fn arguments_out_of_range_say_what_is_possible() {
         (&["--explorer", "third-hand"], "[possible values: book, left-hand, right-hand, "),
         (&["--order", "SRB"], "an order is S, R and L once each"),
         (&["--order", "random:"], "random: and a whole number"),
-        (&["--epsilon", "-1"], "-1 is not in 0..=4294967295"),
-        (&["--epsilon", "x"], "invalid value 'x' for '--epsilon <MS>'"),
-        (&["--node-max", "0"], "0 is not in 1..=1048575"),
-        (&["--node-max", "1048576"], "1048576 is not in 1..=1048575"),
+        (&["--epsilon", "-1"], "a whole number from 0 to 4294967295 is wanted"),
+        (&["--epsilon", "x"], "invalid value 'x' for '--epsilon <MS>': a whole number from 0 to 4294967295"),
+        (&["--node-max", "0"], "a whole number from 1 to 1048575 is wanted"),
+        (&["--node-max", "1048576"], "a whole number from 1 to 1048575 is wanted"),
         (&["--speed", "0"], "a speed is a number above 0"),
         (&["--speed", "inf"], "a speed is a number above 0"),
         (&["--speed", "NaN"], "a speed is a number above 0"),
@@ -25,8 +25,8 @@ fn arguments_out_of_range_say_what_is_possible() {
         (&["--stop-s", "-0.5"], "from 0 to 60"),
         (&["--turn-s", "-1"], "from 0 to 60"),
         (&["--speed", "-5"], "a speed is a number above 0"),
-        (&["--node-max", "-3"], "-3 is not in 1..=1048575"),
-        (&["--path-max", "-3"], "-3 is not in 1..="),
+        (&["--node-max", "-3"], "a whole number from 1 to 1048575 is wanted"),
+        (&["--path-max", "-3"], "a whole number from 1 to 4294967295 is wanted"),
     ];
     for (args, message) in cases {
         let said = linemaze(&[&["run", FIGURE], args].concat());
@@ -43,13 +43,13 @@ fn numbers_below_0_are_told_what_is_possible() {
         (&["generate"], ["--size", "-3x5"], "two whole numbers from 1 to 1000"),
         (&["generate"], ["--loops", "-1"], "from 0 to 1, as in 0.25, or from 0% to 100%"),
         (&["generate"], ["--dead-ends", "-1%"], "from 0 to 1, as in 0.25, or from 0% to 100%"),
-        (&["generate"], ["--seed", "-1"], "a seed is a whole number from 0 to 18446744073709551615"),
-        (&["league"], ["--generate", "-1"], "-1 is not in 1..=100000"),
-        (&["compare", FIGURE], ["--random-orders", "-1"], "-1 is not in 1..=1000000"),
-        (&robot, ["--faults", "-1"], "a seed is a whole number"),
-        (&robot, ["--baud", "-1"], "-1 is not in 300..=4000000"),
-        (&robot, ["--hurry", "-1"], "-1 is not in 1..=100"),
-        (&["link-check", "--pty", "port"], ["--baud", "-1"], "-1 is not in 300..=4000000"),
+        (&["generate"], ["--seed", "-1"], "a whole number from 0 to 18446744073709551615 is wanted"),
+        (&["league"], ["--generate", "-1"], "a whole number from 1 to 100000 is wanted"),
+        (&["compare", FIGURE], ["--random-orders", "-1"], "a whole number from 1 to 1000000 is wanted"),
+        (&robot, ["--faults", "-1"], "a whole number from 0 to"),
+        (&robot, ["--baud", "-1"], "a whole number from 300 to 4000000 is wanted"),
+        (&robot, ["--hurry", "-1"], "a whole number from 1 to 100 is wanted"),
+        (&["link-check", "--pty", "port"], ["--baud", "-1"], "a whole number from 300 to 4000000 is wanted"),
     ];
     for (command, [option, value], message) in cases {
         let said = linemaze(&[command, &[option, value]].concat());
@@ -79,4 +79,43 @@ fn shares_go_in_steps_of_a_hundredth() {
         help.split_whitespace().collect::<Vec<_>>().join(" ").contains("0 to 1 in steps of 0.01"),
         "{help}"
     );
+}
+
+/// What nobody can read is not repeated.
+#[test]
+fn long_values_are_echoed_short() {
+    let long = "9".repeat(300);
+    let cases: [&[&str]; 12] = [
+        &["run", FIGURE, "--node-max", &long],
+        &["run", FIGURE, "--order", &long],
+        &["run", FIGURE, "--explorer", &long],
+        &["run", FIGURE, "--rule", &long],
+        &["run", FIGURE, "--speed", &long],
+        &["run", FIGURE, "--speed", "1e-300"],
+        &["run", FIGURE, &long],
+        &["run", FIGURE, &format!("--{long}")],
+        &["generate", "--size", &format!("{long}x5")],
+        &["generate", "--seed", &long],
+        &["compare", FIGURE, "--random-orders", &long],
+        &[&long],
+    ];
+    for args in cases {
+        let said = linemaze(args);
+        assert_eq!((said.status, said.out.as_str()), (2, ""), "{}", said.err);
+        assert!(!said.err.contains(&long[..30]) && !said.err.contains(&"0".repeat(30)), "{}", said.err);
+        let echo = said.err.contains("999999999999999999999999…") || said.err.contains("--9999");
+        assert!(echo || said.err.starts_with("--speed 0.0000"), "{}", said.err);
+        assert!(said.err.lines().all(|line| line.chars().count() < 260), "{}", said.err);
+    }
+}
+
+/// Blanks come with what is pasted.
+#[test]
+fn blanks_around_a_value_are_no_matter() {
+    let plain = linemaze(&["run", FIGURE, "--node-max", "5", "--speed", "250", "--turn-s", "1"]);
+    let blank = linemaze(&["run", FIGURE, "--node-max", " 5", "--speed", "250 ", "--turn-s", " 1 "]);
+    assert_eq!((blank.status, blank.err, blank.out), (plain.status, plain.err, plain.out));
+    let maze = linemaze(&["generate", "--size", "9 x 6", "--loops", " 30% ", "--seed", " 7"]);
+    let same = linemaze(&["generate", "--size", "9x6", "--loops", "0.3", "--seed", "7"]);
+    assert_eq!((maze.err, maze.out), (String::new(), same.out));
 }

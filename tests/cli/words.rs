@@ -1,6 +1,6 @@
 //! Numbers of things, as people read them.
 
-use super::with_input;
+use super::{linemaze, with_input};
 
 /// One cell and no node on the way.
 const ONE: &str = "line-maze: 1\n\n>---F\n";
@@ -34,5 +34,34 @@ fn one_of_a_thing_is_singular() {
     assert!(orders.contains("\n1 route; 0 runs left none\n"), "{orders}");
     assert!(orders.contains("\nthe shortest there is has 1 cell: 1 run found one\n"), "{orders}");
     assert!(orders.contains("\nbest : 1 cell, --order random:1\n"), "{orders}");
-    assert!(said(&["league", "-"], ONE).starts_with("1 maze; medians\n"));
+    assert!(said(&["league", "-"], ONE).starts_with("1 maze. Solved: "));
+}
+
+/// What is for programs has hyphens; people read `next way`, not `next-way`.
+#[test]
+fn tables_for_people_show_no_names_for_programs() {
+    let mut all = linemaze(&["league", "--generate", "2", "--samples"]).out;
+    for maze in ["mazes/book-3-1.maze", "mazes/cornell-3x5.maze", "mazes/no-finish-reachable.maze"] {
+        all +=
+            &linemaze(&["compare", maze, "--explorers", "book,left-hand,parex-left,cornell-2,depth-first"])
+                .out;
+        for name in
+            ["book", "left-hand", "direction-sum-left", "mapping", "parex-right", "cornell-3", "tremaux"]
+        {
+            all += &linemaze(&["trace", maze, "--explorer", name]).out;
+            all += &linemaze(&["run", maze, "--explorer", name]).out;
+        }
+    }
+    for shown in ["RETURN-UNKNOWN, U-turn", "dead end", "on route", "cannot start: ", "Direction sums, left"]
+    {
+        assert!(all.contains(shown), "{shown}");
+    }
+    let slug = |word: &&str| {
+        word.contains('-')
+            && word.len() > 1
+            && word.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-')
+            && word.starts_with(|c: char| c.is_ascii_lowercase())
+    };
+    let found: Vec<&str> = all.split(|c: char| !c.is_alphanumeric() && c != '-').filter(slug).collect();
+    assert!(found.is_empty(), "{found:?}");
 }

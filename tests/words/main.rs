@@ -5,6 +5,7 @@ mod any_run;
 mod errata;
 mod figures;
 mod glossary;
+mod names;
 #[path = "../support/mod.rs"]
 mod support;
 

@@ -2,20 +2,26 @@
 
 use std::path::PathBuf;
 
-use clap::{ArgGroup, Args, Parser, Subcommand, ValueEnum};
+use clap::{ArgGroup, Args, Parser, Subcommand};
+use line_maze_lab::compare::{LineupError, each_once};
 use line_maze_lab::explorer::name::Name;
 
+mod convert;
 mod generate;
 mod input;
 mod names;
+mod numbers;
 mod options;
+mod turns;
 
+pub(crate) use convert::Convert;
 pub(crate) use generate::Generate;
-use generate::seed;
 use input::MAZE_HELP;
 pub(crate) use input::{Finish, Input, Marks, put_finish};
 use names::names;
+use numbers::{seed, whole};
 pub(crate) use options::Options;
+pub(crate) use turns::{Turns, TurnsForm};
 
 /// Explore line mazes as a robot does that cannot see them: stop by stop, by the algorithm of a book.
 #[derive(Parser)]
@@ -34,6 +40,7 @@ Examples:
   linemaze generate --size 20x12 --seed 7 | linemaze run -
   linemaze check mine.maze                           what is not in order, where, and what to do
   linemaze convert mine.maze mine.svg                a picture in true size
+  linemaze turns --reduce LBLLBSR                    what is left of a turn list: SRR
   linemaze compare mine.maze --explorers book,mapping,flood-fill
   linemaze league --generate 500 --size 16x16        who solves most, and how well
   linemaze robot --pty /tmp/robot --maze mine.maze   a robot without hardware, on a serial line
@@ -41,8 +48,9 @@ Examples:
 
 Exit status:
   0  the finish was reached, all is mapped, the maze has no errors, the file is written
-  1  the run ended elsewhere, or the maze has errors
-  2  the arguments or the input make no sense; standard error says where: FILE:LINE:COLUMN: message";
+  1  the run ended elsewhere, the maze has errors, or some of the input could not be used
+  2  the arguments or the input make no sense, or the output could not be written; standard error says where:
+      FILE:LINE:COLUMN: message";
 
 #[derive(Subcommand)]
 pub(crate) enum Command {
@@ -50,12 +58,10 @@ pub(crate) enum Command {
     #[command(after_help = RUN_STATUS)]
     Run(Explore),
     /// Explore a maze and tell every stop.
-    #[command(after_help = RUN_STATUS)]
+    #[command(after_help = RUN_STATUS, after_long_help = TRACE_COLUMNS)]
     Trace(Explore),
-    /// Print the turn list that a run leaves, for a board or another program.
-    #[command(
-        after_help = "Exit status: 0 printed, 1 the run left no way to the finish, 2 bad input.\n\nExample: linemaze turns mazes/book-3-1.maze --form c"
-    )]
+    /// Print the turn list that a run leaves, for a board or another program; or reduce and reverse letters.
+    #[command(after_help = turns::HELP)]
     Turns(Turns),
     /// Put explorers side by side in one maze: a table, and where they part from the first that runs.
     #[command(
@@ -64,7 +70,7 @@ pub(crate) enum Command {
     Compare(Compare),
     /// Run explorers over many mazes, on all cores: share solved, medians, CSV.
     #[command(
-        after_help = "Exit status: 0 done, 1 done without the files that could not be read, 2 nothing to run.\n\nExamples:\n  linemaze league --samples --generate 500 --size 16x16 --csv runs.csv\n  linemaze league my-mazes/ --explorers book,mapping"
+        after_help = "Exit status: 0 all of it was run, 1 without files that could not be read or folders that hold none, 2 nothing to run.\n\nExamples:\n  linemaze league --samples --generate 500 --size 16x16 --csv runs.csv\n  linemaze league my-mazes/ --explorers book,mapping"
     )]
     League(League),
     /// Say what is not in order in a maze, where, and what to do about it.
@@ -76,7 +82,7 @@ pub(crate) enum Command {
     )]
     Generate(Generate),
     /// Write a maze in another format; OUT's extension chooses.
-    #[command(after_help = "What IN is, its content tells. OUT is replaced if it exists.")]
+    #[command(after_help = convert::HELP)]
     Convert(Convert),
     /// Be a robot that speaks the protocol of PROTOCOL.md, in an ideal world, until the end of input or a signal.
     #[command(
@@ -103,6 +109,23 @@ Exit status: 0 in order, or only warnings; 1 errors (with --strict: or warnings)
 
 const RUN_STATUS: &str = "Exit status: 0 finish reached or all mapped, 1 any other outcome, 2 the input or the arguments make no sense.";
 
+const TRACE_COLUMNS: &str = "\
+Columns:
+  stop       from 1; explorers other than the book's begin with their start, stop 0
+  at         the place, x to the east and y to the north of the drawing
+  seen       what the robot meets there: node, corner, dead end, straight, finish, start
+  case       what that is to the explorer, in its source's words
+  node       the node's number in its table
+  turn       S straight, R right, B back (a U-turn), L left; - where the run ends
+  leaves     the heading after the turn, in the robot's frame: N is where it faced at the start
+  ptr        one more than the nodes that the book's explorer remembers
+  returning  whether the book's explorer is on its way back
+  cur_x      milliseconds driven to the east of the start, in the robot's frame; cur_y: to the north
+  crossed    cells that the book's explorer has crossed out so far
+With --json, leaves is a number: 0 N, 1 E, 2 S, 3 W.
+
+Exit status: 0 finish reached or all mapped, 1 any other outcome, 2 the input or the arguments make no sense.";
+
 /// What `run` and `trace` take.
 #[derive(Args)]
 pub(crate) struct Explore {
@@ -116,38 +139,6 @@ pub(crate) struct Explore {
     pub(crate) json: bool,
     #[command(flatten)]
     pub(crate) settings: Options,
-}
-
-/// What `turns` takes.
-#[derive(Args)]
-pub(crate) struct Turns {
-    #[command(flatten)]
-    pub(crate) maze: Input,
-    /// Whose algorithm drives
-    #[arg(long, value_name = "NAME", default_value_t, value_parser = names())]
-    pub(crate) explorer: Name,
-    /// How the list is written
-    #[arg(long, value_enum, default_value_t)]
-    pub(crate) form: TurnsForm,
-    /// A letter for each corner too, not only for nodes
-    #[arg(long)]
-    pub(crate) corners: bool,
-    #[command(flatten)]
-    pub(crate) settings: Options,
-}
-
-/// How a turn list is written.
-#[derive(Clone, Copy, Debug, Default, ValueEnum)]
-pub(crate) enum TurnsForm {
-    /// SSR
-    #[default]
-    Letters,
-    /// One object
-    Json,
-    /// A line a turn
-    Csv,
-    /// An array for an Arduino sketch
-    C,
 }
 
 /// What `compare` takes.
@@ -164,7 +155,7 @@ pub(crate) struct Compare {
     pub(crate) json: bool,
     /// Instead: this many runs of the book's explorer, each with its own random order; how long are the routes?
     #[arg(long, value_name = "N", conflicts_with_all = ["explorers", "json", "order"],
-        allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+        allow_negative_numbers = true, value_parser = whole(1..=1_000_000_u32))]
     pub(crate) random_orders: Option<u32>,
     #[command(flatten)]
     pub(crate) settings: Options,
@@ -182,7 +173,7 @@ pub(crate) struct League {
     pub(crate) samples: bool,
     /// This many generated mazes, with seeds from --seed on
     #[arg(long, value_name = "N", allow_negative_numbers = true,
-        value_parser = clap::value_parser!(u32).range(1..=100_000))]
+        value_parser = whole(1..=100_000_u32))]
     pub(crate) generate: Option<u32>,
     #[command(flatten)]
     pub(crate) recipe: Generate,
@@ -203,13 +194,18 @@ pub(crate) struct League {
 }
 
 impl League {
-    /// Who runs; each once.
-    pub(crate) fn explorers(&self) -> Vec<Name> {
+    /// Who runs, in the order of the help.
+    ///
+    /// # Errors
+    /// Who is named twice.
+    pub(crate) fn explorers(&self) -> Result<Vec<Name>, LineupError> {
         if self.explorers.is_empty() {
-            return Name::ALL.to_vec();
+            return Ok(Name::ALL.to_vec());
         }
-        let chosen = |name: &&Name| self.explorers.contains(name);
-        Name::ALL.iter().filter(chosen).copied().collect()
+        each_once(&self.explorers)?;
+        let mut chosen = self.explorers.clone();
+        chosen.sort_unstable();
+        Ok(chosen)
     }
 }
 
@@ -221,19 +217,6 @@ pub(crate) struct Check {
     /// Let warnings count too: status 1 for anything that is not in order
     #[arg(long)]
     pub(crate) strict: bool,
-}
-
-/// What `convert` takes.
-#[derive(Args)]
-pub(crate) struct Convert {
-    #[arg(value_name = "IN", help = MAZE_HELP)]
-    pub(crate) from: PathBuf,
-    /// The file to write: .maze (text), .json (for programs), .svg (a picture in true size); walls also as
-    /// micromouse files: .txt (drawing), .map, .num (mms), .maz (bytes)
-    #[arg(value_name = "OUT")]
-    pub(crate) to: PathBuf,
-    #[command(flatten)]
-    pub(crate) marks: Marks,
 }
 
 /// What `robot` takes.
@@ -252,18 +235,18 @@ pub(crate) struct Robot {
     #[command(flatten)]
     pub(crate) marks: Marks,
     /// Lose, flip, double and delay bytes, reset, fall silent and flood, the same way for the same seed
-    #[arg(long, value_name = "SEED", allow_negative_numbers = true, value_parser = seed)]
+    #[arg(long, value_name = "SEED", allow_negative_numbers = true, value_parser = seed())]
     pub(crate) faults: Option<u64>,
     /// Speak at this rate; on a pseudo-terminal, rubbish comes over unless the other end has set it too
     #[arg(long, value_name = "BITS_S", allow_negative_numbers = true,
-        value_parser = clap::value_parser!(u32).range(300..=4_000_000))]
+        value_parser = whole(300..=4_000_000_u32))]
     pub(crate) baud: Option<u32>,
     /// As behind a Bluetooth module: opening does not reset it, and it is silent until it is spoken to
     #[arg(long)]
     pub(crate) quiet: bool,
     /// Let its time run so many times faster
     #[arg(long, value_name = "TIMES", default_value_t = 1, allow_negative_numbers = true,
-        value_parser = clap::value_parser!(u32).range(1..=100))]
+        value_parser = whole(1..=100_u32))]
     pub(crate) hurry: u32,
 }
 
@@ -275,7 +258,7 @@ pub(crate) struct LinkCheck {
     pub(crate) pty: PathBuf,
     /// The rate
     #[arg(long, value_name = "BITS_S", default_value_t = 115_200, allow_negative_numbers = true,
-        value_parser = clap::value_parser!(u32).range(300..=4_000_000))]
+        value_parser = whole(300..=4_000_000_u32))]
     pub(crate) baud: u32,
     /// The robot may drive: it stands at the start of a line maze, and there is room
     #[arg(long)]

@@ -3,12 +3,13 @@
 use std::io::Write;
 
 use indicatif::ParallelProgressIterator;
+use line_maze_lab::compare::forks::letter;
 use line_maze_lab::compare::orders::{Bar, Draws, draw};
-use line_maze_lab::compare::score::{Bests, Column, Score};
+use line_maze_lab::compare::score::{Bests, Column};
 use line_maze_lab::compare::{Entrant, Lineup, parting};
 use line_maze_lab::explorer::name::Name;
 use line_maze_lab::maze::Maze;
-use line_maze_lab::report::{CANNOT_START, NotStarted, Report};
+use line_maze_lab::report::{NotStarted, Report};
 use line_maze_lab::settings::Settings;
 use line_maze_lab::world::CannotStart;
 use rayon::prelude::*;
@@ -27,7 +28,8 @@ pub(crate) fn compare(args: &Compare, out: &mut impl Write) -> Result<Status, Fa
     if let Some(draws) = args.random_orders {
         return random_orders(&maze, &settings, &name, draws, out);
     }
-    let lineup = Lineup::new(args.explorers.clone()).map_err(|error| Failure::Message(error.to_string()))?;
+    let lineup = Lineup::new(args.explorers.clone())
+        .map_err(|error| Failure::Message(format!("--explorers: {error}")))?;
     let bests = Bests::of(&maze, &settings);
     let run = |&explorer| (explorer, Entrant::of(&maze, &settings, explorer, &bests));
     let bar = progress::bar(lineup.names().len() as u64);
@@ -46,22 +48,22 @@ pub(crate) fn compare(args: &Compare, out: &mut impl Write) -> Result<Status, Fa
         return Ok(Status::Good);
     }
     let mut rows = vec![head()];
-    rows.extend(entrants.iter().map(|(explorer, entrant)| match entrant {
-        Ok(entrant) => row(&entrant.score),
-        Err(why) => no_row(*explorer, *why),
-    }));
+    rows.extend(entrants.iter().enumerate().map(|(nth, (explorer, entrant))| row(nth, *explorer, entrant)));
     table::print(&rows, Column::ALL.len() + 1, out)?;
     for (what, best) in [("shortest", bests.shortest), ("fastest", bests.fastest)] {
         if let Some(best) = best {
             writeln!(out, "the {what} route: {} in {:.1} s", count(best.cells, "cell"), best.seconds)?;
         }
     }
-    let mut started = entrants.iter().filter_map(|(_, entrant)| entrant.as_ref().ok());
-    if let Some(first) = started.next() {
-        for other in started {
-            match parting::first(&maze, &first.run, &other.run) {
-                Some(parting) => writeln!(out, "{}", parting.words())?,
-                None => writeln!(out, "{} and {} drive the same way.", first.score.name, other.score.name)?,
+    let mut started = entrants
+        .iter()
+        .enumerate()
+        .filter_map(|(nth, (_, entrant))| Some((letter(nth), &entrant.as_ref().ok()?.run)));
+    if let Some((one, first)) = started.next() {
+        for (other, run) in started {
+            match parting::first(&maze, first, run) {
+                Some(parting) => writeln!(out, "{}", parting.words([one, other]))?,
+                None => writeln!(out, "{one} and {other} drive the same way.")?,
             }
         }
     }
@@ -82,22 +84,21 @@ fn reasons(entrants: &[(Name, Result<Entrant, CannotStart>)]) -> String {
 
 fn head() -> Vec<String> {
     let columns = Column::ALL.iter().map(|column| column.title().to_owned());
-    ["explorer".to_owned()].into_iter().chain(columns).chain(["outcome".to_owned()]).collect()
+    ["   explorer".to_owned()].into_iter().chain(columns).chain(["outcome".to_owned()]).collect()
 }
 
-fn row(score: &Score) -> Vec<String> {
-    let columns = Column::ALL.iter().map(|&column| number(score.number(column), decimals(column)));
-    let end = match score.reason() {
-        Some(reason) => reason,
-        None => score.outcome.to_string(),
+/// The row of an explorer; of one that cannot start: no numbers, and why.
+fn row(nth: usize, explorer: Name, entrant: &Result<Entrant, CannotStart>) -> Vec<String> {
+    let score = entrant.as_ref().map(|entrant| &entrant.score);
+    let columns = Column::ALL
+        .iter()
+        .map(|&column| number(score.ok().and_then(|score| score.number(column)), decimals(column)));
+    let end = match score {
+        Ok(score) => score.reason().unwrap_or_else(|| score.outcome.to_string()),
+        Err(why) => format!("cannot start: {why}"),
     };
-    [score.name.to_string()].into_iter().chain(columns).chain([end]).collect()
-}
-
-/// The row of an explorer that cannot start: no numbers, and why.
-fn no_row(explorer: Name, why: CannotStart) -> Vec<String> {
-    let columns = Column::ALL.iter().map(|_| number(None, 0));
-    [explorer.to_string()].into_iter().chain(columns).chain([format!("{CANNOT_START}: {why}")]).collect()
+    let who = format!("{}  {}", letter(nth), explorer.short());
+    [who].into_iter().chain(columns).chain([end]).collect()
 }
 
 /// Decimals that a column is shown with.

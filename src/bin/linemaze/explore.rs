@@ -3,9 +3,11 @@
 use std::io::Write;
 
 use line_maze_lab::compare::score::told;
+use line_maze_lab::brief::brief;
 use line_maze_lab::event::Outcome;
+use line_maze_lab::geometry::{Heading, Turn};
 use line_maze_lab::ink::Ink;
-use line_maze_lab::maze::Maze;
+use line_maze_lab::maze::{Maze, Scale};
 use line_maze_lab::playback::Timeline as _;
 use line_maze_lab::recording::Cursor;
 use line_maze_lab::report::{NODE_BYTES, Report, StopReport};
@@ -33,9 +35,7 @@ pub(crate) fn run(args: &Explore, out: &mut impl Write) -> Result<Status, Failur
 pub(crate) fn trace(args: &Explore, out: &mut impl Write) -> Result<Status, Failure> {
     let (maze, settings, run) = explored(args)?;
     if !args.json {
-        let heads =
-            ["stop", "at", "seen", "case", "node", "leaves", "ptr", "returning", "cur_x", "cur_y", "crossed"];
-        write_row(heads.map(str::to_owned), out)?;
+        write_row(COLUMNS.map(|(head, _)| head.to_owned()), out)?;
     }
     match &run {
         AnyRun::Book(book) => {
@@ -52,6 +52,13 @@ pub(crate) fn trace(args: &Explore, out: &mut impl Write) -> Result<Status, Fail
         }
     }
     if !args.json {
+        if let Some(start) = maze.start().filter(|start| start.heading != Heading::North) {
+            writeln!(
+                out,
+                "N of the robot, where it faced at the start, is the drawing’s {}",
+                start.heading.word()
+            )?;
+        }
         writeln!(out, "{}", told(&maze, run.outcome()))?;
     }
     Ok(status(&run))
@@ -72,9 +79,15 @@ fn explored(args: &Explore) -> Result<(Maze, Settings, AnyRun), Failure> {
 
 /// The settings, if a robot can have them in this maze.
 pub(crate) fn checked(maze: &Maze, settings: Settings) -> Result<Settings, Failure> {
-    let pace = settings.pace.checked(maze.scale);
-    pace.map_err(|error| Failure::Message(format!("--speed {}: {error}", settings.pace.speed_mm_s)))?;
+    fits(maze.scale, &settings).map_err(Failure::Message)?;
     Ok(settings)
+}
+
+/// Whether a robot can drive so fast, or so slowly, where cells have this size.
+pub(crate) fn fits(scale: Scale, settings: &Settings) -> Result<(), String> {
+    let speed = settings.pace.speed_mm_s.to_string();
+    settings.pace.checked(scale).map_err(|error| format!("--speed {}: {error}", brief(&speed)))?;
+    Ok(())
 }
 
 const fn status(run: &AnyRun) -> Status {
@@ -153,18 +166,36 @@ fn shown(turns: &str) -> String {
     }
 }
 
+/// The columns of the table of stops, each with its width.
+const COLUMNS: [(&str, usize); 12] = [
+    ("stop", 5),
+    ("at", 8),
+    ("seen", 9),
+    ("case", 23),
+    ("node", 5),
+    ("turn", 5),
+    ("leaves", 7),
+    ("ptr", 5),
+    ("returning", 10),
+    ("cur_x", 8),
+    ("cur_y", 8),
+    ("crossed", 0),
+];
+
 /// A stop in words, a column each.
-fn cells(stop: &StopReport) -> [String; 11] {
+fn cells(stop: &StopReport) -> [String; 12] {
     fn or_dash<T: ToString>(value: Option<T>) -> String {
         value.map_or_else(|| "-".to_owned(), |value| value.to_string())
     }
+    let shown = &stop.shown;
     [
         stop.stop.to_string(),
         format!("{},{}", stop.at[0], stop.at[1]),
-        stop.seen.to_owned(),
-        or_dash(stop.case),
+        shown.seen.to_owned(),
+        or_dash(shown.case),
         or_dash(stop.node),
-        or_dash(stop.leaves),
+        or_dash(shown.turn.map(Turn::letter)),
+        or_dash(shown.leaves),
         or_dash(stop.ptr),
         or_dash(stop.returning),
         stop.cur_x.to_string(),
@@ -173,9 +204,9 @@ fn cells(stop: &StopReport) -> [String; 11] {
     ]
 }
 
-fn write_row(cells: [String; 11], out: &mut impl Write) -> Result<(), Failure> {
-    const WIDTHS: [usize; 11] = [5, 8, 9, 14, 5, 7, 5, 10, 8, 8, 0];
-    let row: String = cells.iter().zip(WIDTHS).map(|(cell, width)| format!("{cell:width$}")).collect();
+fn write_row(cells: [String; 12], out: &mut impl Write) -> Result<(), Failure> {
+    let cells = cells.iter().zip(COLUMNS);
+    let row: String = cells.map(|(cell, (_, width))| format!("{cell:width$}")).collect();
     writeln!(out, "{}", row.trim_end())?;
     Ok(())
 }

@@ -1,17 +1,17 @@
 //! Mazes in and out: reading a file or standard input, `generate`, and `convert`.
 
-use std::fs::{self, File};
+use std::fs::File;
 use std::io::{self, Read, Write};
 use std::path::Path;
 
-use line_maze_lab::maze::file::{self, Format, ReadError};
+use line_maze_lab::maze::file::{self, ReadError};
 use line_maze_lab::maze::generate;
 use line_maze_lab::maze::json::{self, JsonError};
 use line_maze_lab::maze::micromouse::{CannotSay, Spot};
 use line_maze_lab::maze::text::Place;
 use line_maze_lab::maze::{Maze, Reading, text};
 
-use crate::args::{Convert, Generate, Input, Marks};
+use crate::args::{Generate, Input, Marks};
 use crate::locate;
 use crate::{Failure, Status};
 
@@ -35,9 +35,12 @@ pub(crate) fn marked(path: &Path, marks: &Marks) -> Result<Maze, Failure> {
     Ok(maze)
 }
 
-/// Reads a file, or standard input where the path is `-`.
+/// Reads a maze from a file, or from standard input where the path is `-`.
 pub(crate) fn read(path: &Path) -> Result<Reading, Failure> {
-    let bytes = bytes(path).map_err(|error| Failure::Message(format!("{}: {error}", name(path))))?;
+    if path.is_dir() {
+        return Err(Failure::Message(format!("{}: this is a folder; name a maze file in it", name(path))));
+    }
+    let bytes = bytes(path).map_err(|error| Failure::at(path, &error))?;
     file::read(&bytes).map_err(|error| {
         Failure::Message(match placed(&bytes, &error) {
             (Some(place), message) => format!("{}:{}:{}: {message}", name(path), place.line, place.column),
@@ -98,28 +101,4 @@ pub(crate) fn generate(args: &Generate, out: &mut impl Write) -> Result<Status, 
     let maze = generate::generate(&args.recipe()).map_err(|error| Failure::Message(error.to_string()))?;
     out.write_all(text::write(&maze).as_bytes())?;
     Ok(Status::Good)
-}
-
-/// `linemaze convert`
-pub(crate) fn convert(Convert { from, to, marks }: &Convert) -> Result<Status, Failure> {
-    let format = format(to)?;
-    let maze = marked(from, marks)?;
-    let bytes = file::write(&maze, format).map_err(|error| {
-        let option = if error == CannotSay::Finish { " (--finish none leaves it out)" } else { "" };
-        Failure::Message(format!("{}: cannot become {}: {error}{option}", name(from), name(to)))
-    })?;
-    fs::write(to, bytes).map_err(|error| Failure::Message(format!("{}: {error}", to.display())))?;
-    Ok(Status::Good)
-}
-
-/// The format of this extension.
-fn format(to: &Path) -> Result<Format, Failure> {
-    let extension = to.extension().map(|extension| extension.to_string_lossy());
-    extension.as_deref().and_then(Format::of_extension).ok_or_else(|| {
-        Failure::Message(format!(
-            "{}: the extension chooses the format; it is .maze, .json or .svg, or for walls .txt, .map, .num or \
-             .maz",
-            to.display()
-        ))
-    })
 }

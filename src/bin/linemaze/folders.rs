@@ -5,15 +5,15 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use crate::complain;
+use crate::{complain, why};
 
 /// Files, in the order of their names, folder by folder.
 #[derive(Default)]
 pub(crate) struct Files {
     /// What was found.
     pub(crate) found: Vec<PathBuf>,
-    /// How many folders could not be read; they are named on standard error.
-    pub(crate) unreadable: usize,
+    /// How many folders could not be read or hold no file; they are named on standard error.
+    pub(crate) unusable: usize,
     /// Folders by their true names: links can lead back to where they are.
     seen: HashSet<PathBuf>,
 }
@@ -25,7 +25,20 @@ impl Files {
         for path in paths {
             // What is named twice runs twice.
             files.seen.clear();
-            if path.is_dir() { files.folder(path) } else { files.found.push(path.clone()) }
+            if !path.is_dir() {
+                files.found.push(path.clone());
+                continue;
+            }
+            let before = (files.found.len(), files.unusable);
+            files.folder(path);
+            if before == (files.found.len(), files.unusable) {
+                files.unusable += 1;
+                complain(&format!(
+                    "{}: this folder holds no files, but for names that begin with a dot; name the files, or another \
+                     folder",
+                    path.display()
+                ));
+            }
         }
         files
     }
@@ -37,8 +50,8 @@ impl Files {
         match inside {
             Ok(inside) => inside.iter().for_each(|path| self.entry(path)),
             Err(error) => {
-                self.unreadable += 1;
-                complain(&format!("{}: {error}", path.display()));
+                self.unusable += 1;
+                complain(&format!("{}: {}", path.display(), why(&error)));
             }
         }
     }

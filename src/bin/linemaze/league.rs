@@ -6,7 +6,7 @@ use std::path::Path;
 
 use indicatif::ParallelProgressIterator;
 use line_maze_lab::compare::league::{
-    Course, CourseResult, League, Standing, results_csv, standings, standings_csv,
+    Course, CourseResult, League, Standing, absences, absent_runs, results_csv, standings, standings_csv,
 };
 use line_maze_lab::compare::score::Column;
 use line_maze_lab::maze::{Reading, generate};
@@ -15,9 +15,13 @@ use rayon::prelude::*;
 use crate::args::put_finish;
 use crate::compare::decimals;
 use crate::count;
+use crate::explore;
 use crate::folders::Files;
 use crate::table::{self, number};
 use crate::{Failure, Status, args, files, progress};
+
+/// Mazes in which somebody could not start are named up to here: nobody reads more.
+const MOST_ABSENCES: usize = 10;
 
 /// `linemaze league`
 pub(crate) fn league(args: &args::League, out: &mut impl Write) -> Result<Status, Failure> {
@@ -28,7 +32,8 @@ pub(crate) fn league(args: &args::League, out: &mut impl Write) -> Result<Status
             "--csv - and --standings-csv - would mix; write one of them into a file".to_owned(),
         ));
     }
-    let (courses, unreadable) = courses(args)?;
+    let names = args.explorers().map_err(|error| Failure::Message(format!("--explorers: {error}")))?;
+    let (courses, unusable) = courses(args)?;
     if courses.is_empty() {
         return Err(Failure::Message(
             "no maze to run in; name files, or --samples, or --generate N".to_owned(),
@@ -36,13 +41,10 @@ pub(crate) fn league(args: &args::League, out: &mut impl Write) -> Result<Status
     }
     let settings = args.settings.settings();
     for course in &courses {
-        let name = course.name();
-        let pace = settings.pace.checked(course.scale());
-        pace.map_err(|error| {
-            Failure::Message(format!("{name}: --speed {}: {error}", settings.pace.speed_mm_s))
-        })?;
+        explore::fits(course.scale(), &settings)
+            .map_err(|error| Failure::Message(format!("{}: {error}", course.name())))?;
     }
-    let league = League { names: args.explorers(), settings, courses };
+    let league = League { names, settings, courses };
     let count = league.courses.len();
     let bar = progress::bar(count as u64);
     let results: Vec<CourseResult> =
@@ -56,9 +58,9 @@ pub(crate) fn league(args: &args::League, out: &mut impl Write) -> Result<Status
     }
     // A program that reads the CSV wants nothing else.
     if to_output == 0 {
-        tell(&standings, count, out)?;
+        tell(&league, &results, &standings, out)?;
     }
-    Ok(if unreadable == 0 { Status::Good } else { Status::Bad })
+    Ok(if unusable == 0 { Status::Good } else { Status::Bad })
 }
 
 /// Whether a path means standard output.
@@ -70,13 +72,13 @@ fn write(path: &Path, text: &str, out: &mut impl Write) -> Result<(), Failure> {
     if is_output(path) {
         return Ok(out.write_all(text.as_bytes())?);
     }
-    fs::write(path, text).map_err(|error| Failure::Message(format!("{}: {error}", path.display())))
+    fs::write(path, text).map_err(|error| Failure::at(path, &error))
 }
 
-/// All the mazes, and how many files and folders could not be read; those are named on standard error.
+/// All the mazes, and how many files and folders gave none; those are named on standard error.
 fn courses(args: &args::League) -> Result<(Vec<Course>, usize), Failure> {
     let mut courses = Vec::new();
-    let Files { found, mut unreadable, .. } = Files::of(&args.mazes);
+    let Files { found, mut unusable, .. } = Files::of(&args.mazes);
     for path in &found {
         match files::read(path) {
             Ok(Reading { mut maze, .. }) => {
@@ -89,7 +91,7 @@ fn courses(args: &args::League) -> Result<(Vec<Course>, usize), Failure> {
                 courses.push(Course::File { name, maze });
             }
             Err(Failure::Message(message)) => {
-                unreadable += 1;
+                unusable += 1;
                 crate::complain(&message);
             }
             Err(other) => return Err(other),
@@ -104,25 +106,46 @@ fn courses(args: &args::League) -> Result<(Vec<Course>, usize), Failure> {
         generate::generate(&recipe).map_err(|error| Failure::Message(error.to_string()))?;
         courses.extend(Course::generated(recipe, count));
     }
-    Ok((courses, unreadable))
+    Ok((courses, unusable))
 }
 
-/// The standings: how many courses were solved, and medians.
-fn tell(standings: &[Standing], count: usize, out: &mut impl Write) -> Result<(), Failure> {
-    let heads = ["explorer", "runs", "solved", "%"].map(str::to_owned);
-    let mut rows: Vec<Vec<String>> =
-        vec![heads.into_iter().chain(Column::ALL.map(|column| column.title().to_owned())).collect()];
+/// The standings: how many of the courses that could be solved were, medians, and who could not start.
+fn tell(
+    league: &League,
+    results: &[CourseResult],
+    standings: &[Standing],
+    out: &mut impl Write,
+) -> Result<(), Failure> {
+    let mut heads = vec!["explorer", "runs", "not started", "solved", "%"];
+    heads.extend(Column::ALL.map(Column::title));
+    let mut rows: Vec<Vec<String>> = vec![heads.into_iter().map(str::to_owned).collect()];
     for standing in standings {
         let median = |column| {
             let quartiles = standing.quartiles(column);
             number(quartiles.map(|quartiles| quartiles.median), decimals(column))
         };
-        let share = number(standing.share_solved().map(|share| share * 100.0), 0);
-        let start =
-            [standing.name.to_string(), standing.runs.to_string(), standing.solved.to_string(), share];
+        let start = [
+            standing.name.short().to_owned(),
+            standing.runs.to_string(),
+            standing.absent.to_string(),
+            format!("{} of {}", standing.solved, standing.solvable()),
+            standing.percent_solved().map_or_else(|| "-".to_owned(), |percent| percent.to_string()),
+        ];
         rows.push(start.into_iter().chain(Column::ALL.map(median)).collect());
     }
-    writeln!(out, "{}; medians", count::count(count, "maze"))?;
+    let mazes = count::count(league.courses.len(), "maze");
+    writeln!(out, "{mazes}. Solved: of those with a way to the finish. Columns after it: medians.")?;
     table::print(&rows, usize::MAX, out)?;
+    let absences = absences(results);
+    if !absences.is_empty() {
+        writeln!(out, "{}:", absent_runs(&absences))?;
+    }
+    for absence in absences.iter().take(MOST_ABSENCES) {
+        let maze = league.courses.get(absence.course).map(Course::title).unwrap_or_default();
+        writeln!(out, "  {maze}: {}", absence.words(league))?;
+    }
+    if absences.len() > MOST_ABSENCES {
+        writeln!(out, "  and {} more; --csv FILE has them all", absences.len() - MOST_ABSENCES)?;
+    }
     Ok(())
 }

@@ -4,6 +4,7 @@
 mod args;
 mod check;
 mod compare;
+mod convert;
 mod count;
 mod explore;
 mod files;
@@ -21,8 +22,10 @@ mod robot;
 mod signals;
 mod table;
 mod turns;
+mod usage;
 
 use std::io::{self, BufWriter, Write};
+use std::path::Path;
 use std::process::ExitCode;
 
 use args::{Cli, Command};
@@ -47,6 +50,19 @@ enum Failure {
     Output(io::Error),
 }
 
+impl Failure {
+    /// What went wrong with a file.
+    fn at(path: &Path, error: &io::Error) -> Self {
+        Self::Message(format!("{}: {}", files::name(path), why(error)))
+    }
+}
+
+/// What the system says, without its number for it.
+fn why(error: &io::Error) -> String {
+    let text = error.to_string();
+    text.split_once(" (os error").map_or(text.as_str(), |(text, _)| text).to_owned()
+}
+
 impl From<io::Error> for Failure {
     fn from(error: io::Error) -> Self {
         Self::Output(error)
@@ -54,17 +70,21 @@ impl From<io::Error> for Failure {
 }
 
 fn main() -> ExitCode {
-    let cli = Cli::parse();
-    let mut out = BufWriter::new(io::stdout().lock());
-    let done = obey(&cli.command, &mut out).and_then(|status| {
-        out.flush()?;
-        Ok(status)
-    });
+    let done = match Cli::try_parse() {
+        Ok(cli) => {
+            let mut out = BufWriter::new(io::stdout().lock());
+            obey(&cli.command, &mut out).and_then(|status| {
+                out.flush()?;
+                Ok(status)
+            })
+        }
+        Err(told) => usage::tell(told),
+    };
     let status = match done {
         Ok(status) => status,
         // `linemaze … | head` is no fault.
         Err(Failure::Output(error)) if error.kind() == io::ErrorKind::BrokenPipe => Status::Good,
-        Err(Failure::Output(error)) => complain(&format!("standard output: {error}")),
+        Err(Failure::Output(error)) => complain(&format!("standard output: {}", why(&error))),
         Err(Failure::Message(message)) => complain(&message),
     };
     ExitCode::from(status as u8)
@@ -79,7 +99,7 @@ fn obey(command: &Command, out: &mut impl Write) -> Result<Status, Failure> {
         Command::League(args) => league::league(args, out),
         Command::Check(args) => check::check(args, out),
         Command::Generate(args) => files::generate(args, out),
-        Command::Convert(args) => files::convert(args),
+        Command::Convert(args) => convert::convert(args, out),
         Command::Robot(args) => robot::robot(args, out),
         Command::LinkCheck(args) => link_check::link_check(args, out),
     }

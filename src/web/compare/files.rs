@@ -82,8 +82,7 @@ async fn read(league: LeagueDesk, files: Vec<File>) {
     }
     read.sort();
     league.reading.set(None);
-    league.unread.set(refused);
-    league.files.set(read);
+    league.take_files(read, refused);
 }
 
 /// All files in a folder and in the folders in it.

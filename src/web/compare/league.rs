@@ -37,7 +37,7 @@ pub struct LeagueDesk {
     /// Files that are being read: how many of how many.
     pub reading: RwSignal<Option<(usize, usize)>>,
     /// Files that could not be read, and why.
-    pub unread: RwSignal<Vec<(String, String)>>,
+    unread: RwSignal<Vec<(String, String)>>,
     refused: RwSignal<Vec<(String, String)>>,
     progress: RwSignal<Option<(usize, usize)>>,
     busy: RwSignal<bool>,
@@ -74,7 +74,9 @@ impl LeagueDesk {
     fn courses(self) -> u32 {
         let samples = if self.samples.get() { crate::maze::samples::SAMPLES.len() as u32 } else { 0 };
         let made = if self.generate.get() { self.made.get().count } else { 0 };
-        samples + made + self.files.with(Vec::len) as u32
+        // The worker tells which of the files are no mazes.
+        let mazes = self.files.with(Vec::len).saturating_sub(self.refused.with(Vec::len));
+        samples + made + mazes as u32
     }
 
     /// From the beginning.
@@ -130,6 +132,13 @@ impl LeagueDesk {
                 }
             }
         }
+    }
+
+    /// Takes these files in place of the others, and tells of those that nobody could read.
+    pub fn take_files(self, files: Vec<(String, String)>, unread: Vec<(String, String)>) {
+        self.files.set(files);
+        self.unread.set(unread);
+        self.refused.set(Vec::new());
     }
 
     /// The runs in another order.
@@ -224,11 +233,14 @@ fn Courses() -> impl IntoView {
     let made = move |of: fn(Made) -> u64| Signal::derive(move || of(league.made.get()).to_string());
     let choose = move |event: web_sys::Event| {
         let input = event.target().and_then(|target| target.dyn_into::<web_sys::HtmlInputElement>().ok());
-        files::chosen(league, input.and_then(|input| input.files()));
+        let Some(input) = input else { return };
+        files::chosen(league, input.files());
+        // The same files can be chosen again once they were taken out.
+        input.set_value("");
     };
     let told = move || match (league.reading.get(), league.files.with(Vec::len)) {
         (Some((done, of)), _) => format!("Reading {done} of {of} files…"),
-        (None, 0) => "No files; a dropped folder comes here.".to_owned(),
+        (None, 0) => "A dropped folder comes here.".to_owned(),
         (None, 1) => "1 file.".to_owned(),
         (None, count) => format!("{count} files."),
     };
@@ -252,9 +264,11 @@ fn Courses() -> impl IntoView {
         <div class="row">
             <label class="btn file">"Files…"<input class="vh" type="file" id="league-files" multiple accept=".maze,.json,.txt,.map,.num,.maz" on:change=event(choose) /></label>
             <label class="btn file">"Folder…"<input class="vh" type="file" id="league-folder" prop:webkitdirectory=true multiple on:change=event(choose) /></label>
-            {part(move || (league.files.with(Vec::len) > 0).then(|| view! { <button class="btn quiet" on:click=mouse(move |_| league.files.set(Vec::new()))>"No files"</button> }))}
         </div>
-        <p class="small" role="status">{part(told)}</p>
+        <div class="row">
+            <p class="small" role="status">{part(told)}</p>
+            {part(move || (league.files.with(Vec::len) > 0).then(|| view! { <button class="btn quiet" on:click=mouse(move |_| league.take_files(Vec::new(), Vec::new()))>"Remove them"</button> }))}
+        </div>
     }
 }
 
@@ -318,12 +332,21 @@ fn Standings(shown: Shown) -> impl IntoView {
                 <div class="scroll" tabindex="0" role="region" aria-labelledby="standings-title"><table>
                     <thead><tr>
                         <th scope="col">"Explorer"</th><th scope="col" class="num">"Runs"</th><th scope="col" class="num">"Solved"</th>
-                        <th scope="col" class="num">"÷ shortest"</th><th scope="col" class="num">"÷ fastest"</th>
+                        <th scope="col" class="num">"÷\u{a0}shortest"</th><th scope="col" class="num">"÷\u{a0}fastest"</th>
                         <th scope="col" class="num">{format!("Explored, {}", Column::Distance.title())}</th><th scope="col" class="num">"Bytes"</th>
                     </tr></thead>
                     <tbody inner_html=shown.standings></tbody>
                 </table></div>
                 {(!shown.boxes.is_empty()).then(|| view! { <div class="stack"><Boxes markup=shown.boxes /></div> })}
+            </div>
+            <div class="shares">
+                <p class="small">"Solved: of the runs in mazes with a way to the finish."</p>
+                {(!shown.absent.is_empty()).then(|| view! {
+                    <details class="absences">
+                        <summary>{shown.absent}</summary>
+                        <ul class="stack scroll" tabindex="0" aria-label="Who could not start" inner_html=shown.absences></ul>
+                    </details>
+                })}
             </div>
         </section>
     }

@@ -11,20 +11,21 @@ use super::pictures::called;
 use super::{Tabs, open_in_stepper};
 use crate::compare::forks::letter;
 use crate::compare::score::{Column, Score};
-use crate::compare::words::{End, escaped, figure};
+use crate::compare::sheet::runs_csv;
+use crate::compare::words::{End, ended, escaped, figure};
 use crate::web::browser;
 use crate::web::state::Dialog;
 
 /// The columns of numbers; the style sheet hides those that a small screen has no room for.
 const COLUMNS: [(Column, &str, &str); 8] = [
-    (Column::Distance, "Explored", ""),
+    (Column::Distance, "Explored, cells", ""),
     (Column::Stops, "Stops", "c-s"),
     (Column::Turns, "Turns", "c-s"),
     (Column::Seconds, "Seconds", "c-s"),
     (Column::Memory, "Bytes", "c-s"),
-    (Column::Route, "Route", ""),
-    (Column::RatioShortest, "÷ shortest", ""),
-    (Column::RatioFastest, "÷ fastest", "c-s"),
+    (Column::Route, "Route, cells", ""),
+    (Column::RatioShortest, "÷\u{a0}shortest", ""),
+    (Column::RatioFastest, "÷\u{a0}fastest", "c-s"),
 ];
 
 /// The card.
@@ -174,24 +175,11 @@ fn push_numbers(markup: &mut String, score: &Score) {
 }
 
 fn save(desk: Desk) {
-    let mut text = String::from(
-        "explorer,outcome,reason,explored_cells,stops,turns,seconds,bytes,route_cells,ratio_shortest,ratio_fastest\n",
-    );
-    desk.field.with_untracked(|field| {
-        for (name, racer) in &field.entrants {
-            let Ok(racer) = racer else { continue };
-            let score = &racer.entrant.score;
-            let reason = score.reason().unwrap_or_default().replace('"', "\"\"");
-            let _ = write!(text, "{name},{},\"{reason}\"", score.outcome.name());
-            for (column, _, _) in COLUMNS {
-                let _ = write!(
-                    text,
-                    ",{}",
-                    score.number(column).map(|number| number.to_string()).unwrap_or_default()
-                );
-            }
-            text.push('\n');
-        }
+    let text = desk.field.with_untracked(|field| {
+        let runs = field.entrants.iter().map(|(name, racer)| {
+            (*name, racer.as_ref().map(|racer| &racer.entrant.score).map_err(String::as_str))
+        });
+        runs_csv(runs, field.maze.scale.cell_mm())
     });
     browser::download("compare.csv", "text/csv", &text);
 }

@@ -95,7 +95,7 @@ fn kinds(about: &About) -> Vec<(Mark, &'static str)> {
     for case in about.cases {
         let known = kinds.iter().any(|&(mark, _)| mark == case.mark);
         if case.mark != Mark::Plain && case.mark != Mark::End && !known {
-            kinds.push((case.mark, case.name));
+            kinds.push((case.mark, case.shown));
         }
     }
     kinds.push((Mark::End, "end"));
@@ -124,7 +124,7 @@ impl Played for Same<OtherRun> {
     }
 
     fn word(&self, stop: u32) -> String {
-        self.recording.case(stop).name.to_owned()
+        self.recording.case(stop).shown.to_owned()
     }
 
     fn kinds(&self) -> &[(Mark, &'static str)] {

@@ -4,6 +4,7 @@
 use leptos::prelude::*;
 
 use crate::route::follow::{End, Followed, follow};
+use crate::route::letters::read;
 use crate::route::{Corners, TurnList, lab as paper};
 use crate::web::browser;
 use crate::web::dialogs::Modal;
@@ -13,6 +14,8 @@ use crate::web::state::{Lab, lab};
 
 /// The most letters that are worked on.
 const MOST: usize = 2000;
+/// No list of so many letters is longer in any form.
+const MOST_CHARACTERS: usize = 32 * MOST;
 
 /// The dialog; it begins with the letters of the run that is shown.
 #[component]
@@ -24,11 +27,13 @@ pub fn TurnLab() -> impl IntoView {
     let steps = RwSignal::new(0_usize);
     let corners = RwSignal::new(false);
     let list = Memo::new(move |_| {
+        let too_long = || format!("At most {MOST} letters; shorten the list.");
         let text = text.get();
-        if text.chars().count() > MOST {
-            return Err(format!("At most {MOST} letters; shorten the list."));
+        if text.len() > MOST_CHARACTERS {
+            return Err(too_long());
         }
-        paper::parse(&text).map_err(|error| format!("{}.", capital(&error.to_string())))
+        let list = read(&text).map_err(|error| format!("{}.", capital(&error.to_string())))?;
+        if list.turns().len() > MOST { Err(too_long()) } else { Ok(list) }
     });
     let ok = move || list.with(|list| list.as_ref().ok().cloned()).unwrap_or_default();
     let reductions = Memo::new(move |_| paper::reductions(&ok()).0);
@@ -41,9 +46,9 @@ pub fn TurnLab() -> impl IntoView {
     view! {
         <Modal title="Turn-list lab">
             <label class="field">
-                "Letters: L left, S straight, R right, B back"
-                <input class="input" id="turns" autocomplete="off" spellcheck="false" prop:value=sig(move || text.get()) aria-invalid=sig(move || list.with(Result::is_err).to_string()) aria-describedby="turns-hint"
-                    on:input=event(move |event| put(event_target_value(&event))) />
+                "Letters: L left, S or F straight, R right, B or U back; arrows; or a list from a file, C, JSON or CSV"
+                <textarea class="input mono" id="turns" rows="2" autocomplete="off" spellcheck="false" prop:value=sig(move || text.get()) aria-invalid=sig(move || list.with(Result::is_err).to_string()) aria-describedby="turns-hint"
+                    on:input=event(move |event| put(event_target_value(&event)))></textarea>
                 <span class="small" id="turns-hint" role="status">{part(move || list.with(|list| list.as_ref().err().cloned()))}</span>
             </label>
             <div class="row">

@@ -4,6 +4,8 @@ use clap::{Args, ValueEnum};
 use line_maze_lab::maze::generate::Recipe;
 use line_maze_lab::maze::{Kind, MAX_SIDE};
 
+use super::numbers::seed;
+
 /// What `generate` takes.
 #[derive(Args)]
 pub(crate) struct Generate {
@@ -17,7 +19,7 @@ pub(crate) struct Generate {
     #[arg(long, value_name = "SHARE", default_value = "80%", allow_hyphen_values = true, value_parser = percent)]
     pub(crate) dead_ends: u8,
     /// Another seed, another maze
-    #[arg(long, value_name = "N", default_value_t = 1, allow_negative_numbers = true, value_parser = seed)]
+    #[arg(long, value_name = "N", default_value_t = 1, allow_negative_numbers = true, value_parser = seed())]
     pub(crate) seed: u64,
     /// Drawn as lines on the floor, or as walls between squares
     #[arg(long, value_name = "KIND", value_enum, default_value_t)]
@@ -57,7 +59,7 @@ pub(crate) enum Drawn {
 }
 
 fn size(text: &str) -> Result<Size, String> {
-    let side = |text: &str| text.parse().ok().filter(|side| (1..=MAX_SIDE).contains(side));
+    let side = |text: &str| text.trim().parse().ok().filter(|side| (1..=MAX_SIDE).contains(side));
     let sides =
         text.split_once(['x', 'X', '×']).and_then(|(width, height)| Some((side(width)?, side(height)?)));
     let (width, height) = sides
@@ -67,6 +69,7 @@ fn size(text: &str) -> Result<Size, String> {
 
 /// A share in whole per cent; what is between them would be lost.
 fn percent(text: &str) -> Result<u8, String> {
+    let text = text.trim();
     let (number, whole) = text.strip_suffix('%').map_or((text, 1.0), |number| (number, 100.0));
     let percent = match number.trim().parse::<f64>() {
         Ok(share) if (0.0..=whole).contains(&share) => share / whole * 100.0,
@@ -78,9 +81,4 @@ fn percent(text: &str) -> Result<u8, String> {
         return Err(format!("a share goes in steps of 0.01, which is 1%; the nearest is {nearest}%"));
     }
     Ok(nearest as u8)
-}
-
-/// What chance begins with.
-pub(super) fn seed(text: &str) -> Result<u64, String> {
-    text.parse().map_err(|_| format!("a seed is a whole number from 0 to {}", u64::MAX))
 }

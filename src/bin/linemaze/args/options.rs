@@ -1,8 +1,10 @@
 //! What explorers and their robots can be set to.
 
 use clap::{Args, ValueEnum};
-use line_maze_lab::settings::{self, NODE_MAX, Order, Pace, PaceError, Settings, limits};
+use line_maze_lab::settings::{self, NODE_MAX, Order, Pace, Settings};
 use line_maze_lab::trace::MAX_NODES;
+
+use super::numbers::{seconds, speed, whole};
 
 /// What explorers and their robots can be set to.
 #[derive(Args)]
@@ -11,17 +13,17 @@ pub(crate) struct Options {
     #[arg(long, value_name = "ORDER", default_value = "SRL")]
     order: Order,
     /// Two places nearer than this on both axes are one node [default: the time of half a cell]
-    #[arg(long, value_name = "MS", allow_negative_numbers = true)]
+    #[arg(long, value_name = "MS", allow_negative_numbers = true, value_parser = whole(0..=u32::MAX))]
     epsilon: Option<u32>,
     /// Nodes that the robot can remember at once
     #[arg(long, value_name = "N", default_value_t = NODE_MAX, allow_negative_numbers = true,
-        value_parser = clap::value_parser!(u32).range(1..=i64::from(MAX_NODES)))]
+        value_parser = whole(1..=MAX_NODES))]
     node_max: u32,
     /// PAReX: whether the path is cut only two steps back (basic), or anywhere (special case 1)
     #[arg(long, value_enum, default_value_t)]
     rule: Rule,
     /// PAReX: squares that the path can hold, 48 in the article [default: no limit]
-    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = whole(1..=u32::MAX))]
     path_max: Option<u32>,
     /// Mapping: how the routes are found on the map
     #[arg(long, value_enum, default_value_t)]
@@ -83,12 +85,4 @@ enum Search {
     #[default]
     Dijkstra,
     Astar,
-}
-
-fn speed(text: &str) -> Result<f64, PaceError> {
-    text.parse().map_err(|_| PaceError::Speed).and_then(limits::speed)
-}
-
-fn seconds(text: &str) -> Result<f64, PaceError> {
-    text.parse().map_err(|_| PaceError::Seconds).and_then(limits::seconds)
 }

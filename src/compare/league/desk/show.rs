@@ -7,7 +7,7 @@ use core::fmt::Write;
 
 use serde::{Deserialize, Serialize};
 
-use super::super::{CourseResult, Entry, League, standings};
+use super::super::{Absence, CourseResult, Entry, League, Standing, absences, absent_runs, standings};
 use crate::compare::plot::{boxes, number};
 use crate::compare::score::{Column, Score};
 use crate::compare::words::{End, escaped, figure};
@@ -36,9 +36,18 @@ pub struct Shown {
     pub rows: String,
     /// Runs that are in `rows`.
     pub listed: usize,
-    /// Runs that could be.
+    /// Runs that could be, with those that could not start.
     pub runs: usize,
+    /// How many of them there are of either kind.
+    pub title: String,
+    /// How many runs could not start; empty where all could.
+    pub absent: String,
+    /// A list of them, by maze.
+    pub absences: String,
 }
+
+/// Mazes whose absences are listed; the table of runs has them all.
+const MOST_ABSENCES: usize = 200;
 
 impl View {
     /// The columns of the table of runs.
@@ -65,17 +74,7 @@ impl View {
         }
         let mut table = String::new();
         for standing in &all {
-            // Writing to a string cannot fail.
-            let _ = write!(
-                table,
-                "<tr><th scope=\"row\">{}</th><td class=\"num\">{}</td>",
-                escaped(standing.name.about().title),
-                standing.runs
-            );
-            let share = standing
-                .share_solved()
-                .map_or("–".to_string(), |share| alloc::format!("{:.0} %", share * 100.0));
-            let _ = write!(table, "<td class=\"num\">{share}</td>");
+            push_shares(&mut table, standing);
             for column in [Column::RatioShortest, Column::RatioFastest, Column::Distance, Column::Memory] {
                 let _ = match standing.quartiles(column) {
                     Some(q) => {
@@ -91,8 +90,71 @@ impl View {
             }
             table.push_str("</tr>");
         }
-        Shown { standings: table, boxes: boxes(&all, Column::RatioShortest), rows, listed, runs: runs.len() }
+        let absences = absences(results);
+        Shown {
+            standings: table,
+            boxes: boxes(&all, Column::RatioShortest),
+            rows,
+            listed,
+            runs: runs.len(),
+            title: title(&runs),
+            absent: if absences.is_empty() { String::new() } else { absent_runs(&absences) },
+            absences: list(league, &absences),
+        }
     }
+}
+
+/// “108 runs, and 2 that could not start”.
+fn title(runs: &[(usize, &Entry)]) -> String {
+    let started = runs.iter().filter(|(_, entry)| entry.score.is_ok()).count();
+    let title = alloc::format!("{started} run{}", if started == 1 { "" } else { "s" });
+    match runs.len() - started {
+        0 => title,
+        absent => alloc::format!("{title}, and {absent} that could not start"),
+    }
+}
+
+/// Who, in how many mazes, and how many of those that could be solved were.
+fn push_shares(table: &mut String, standing: &Standing) {
+    // Writing to a string cannot fail.
+    let _ = write!(
+        table,
+        "<tr><th scope=\"row\">{}</th><td class=\"num\">{}",
+        escaped(standing.name.about().title),
+        standing.runs
+    );
+    if standing.absent > 0 {
+        let _ = write!(table, " <span class=\"small\">of {}</span>", standing.runs + standing.absent);
+    }
+    let _ = match standing.percent_solved() {
+        Some(percent) => write!(
+            table,
+            "</td><td class=\"num\"><b>{percent} %</b> <span class=\"small\">{} of {}</span></td>",
+            standing.solved,
+            standing.solvable()
+        ),
+        None => write!(table, "</td><td class=\"num\">–</td>"),
+    };
+}
+
+/// Who could not start, maze by maze.
+fn list(league: &League, absences: &[Absence]) -> String {
+    let mut list = String::new();
+    for absence in absences.iter().take(MOST_ABSENCES) {
+        let maze = league.courses.get(absence.course).map(super::Course::title).unwrap_or_default();
+        // Writing to a string cannot fail.
+        let _ = write!(
+            list,
+            "<li><b>{}</b><br /><span class=\"small\">{}</span></li>",
+            escaped(&maze),
+            escaped(&absence.words(league))
+        );
+    }
+    if absences.len() > MOST_ABSENCES {
+        let more = absences.len() - MOST_ABSENCES;
+        let _ = write!(list, "<li class=\"small\">And {more} more: the CSV of all runs has them.</li>");
+    }
+    list
 }
 
 /// Those that could not start come last.
@@ -106,7 +168,7 @@ fn order(column: Column, a: &Entry, b: &Entry) -> Ordering {
 }
 
 fn push_run(rows: &mut String, league: &League, course: usize, entry: &Entry) {
-    let name = league.courses.get(course).map(super::Course::name).unwrap_or_default();
+    let name = league.courses.get(course).map(super::Course::title).unwrap_or_default();
     let explorer = entry.name.text();
     let failed = !entry.score.as_ref().is_ok_and(Score::is_solved);
     // Writing to a string cannot fail.
@@ -137,7 +199,7 @@ fn push_run(rows: &mut String, league: &League, course: usize, entry: &Entry) {
             }
         }
         Err(why) => {
-            let _ = write!(rows, "<td colspan=\"6\">{}</td>", escaped(&why.to_string()));
+            let _ = write!(rows, "<td colspan=\"6\">could not start: {}</td>", escaped(&why.to_string()));
         }
     }
     rows.push_str("</tr>");

@@ -11,7 +11,7 @@ use crate::web::browser;
 use crate::web::compare::desk::desk;
 use crate::web::compare::office;
 
-const HEADS: [&str; 5] = ["Explored", "Seconds", "Route", "÷ shortest", "÷ fastest"];
+const HEADS: [&str; 5] = ["Explored, cells", "Seconds", "Route, cells", "÷\u{a0}shortest", "÷\u{a0}fastest"];
 
 /// The card.
 #[component]
@@ -32,10 +32,10 @@ pub fn Runs(shown: Shown) -> impl IntoView {
         let explorer = event_target_value(&event);
         league.look(|view| (view.explorer, view.more) = (explorer, 0));
     };
-    let Shown { rows, listed, runs, .. } = shown;
+    let Shown { rows, listed, runs, title, .. } = shown;
     view! {
         <section class="card runs" aria-labelledby="runs-title">
-            <h2 id="runs-title">{format!("{runs} runs")}<span class="spacer"></span>
+            <h2 id="runs-title">{title}<span class="spacer"></span>
                 <select class="input" id="runs-of" aria-label="Runs of" on:change=event(filter) prop:value=sig(move || league.view.with(|view| view.explorer.clone()))>
                     <option value="">"all explorers"</option>
                     {league.chosen.get_untracked().into_iter().map(|name: Name| view! { <option value=name.text()>{name.about().title}</option> }).collect_view()}

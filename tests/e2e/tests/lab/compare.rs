@@ -108,14 +108,21 @@ async fn a_small_league_runs_is_cancelled_sorted_and_saved() -> Result<()> {
         page.fill("#league-count", "3").await?;
         page.click_css("#league-run").await?;
         page.wait_for_text("#league-status", "All 22 mazes are run").await?;
-        page.wait_for_text("#runs-title", "110 runs").await?;
+        page.wait_for_text("#runs-title", "108 runs, and 2 that could not start").await?;
+        // Shares say of how many, and who could not start is named.
+        let book = page.text(".standings tbody tr:first-child").await?;
+        assert!(book.contains("of 22") && book.contains(" of 19"), "{book}");
+        page.click_css(".absences summary").await?;
+        page.wait_for_text(".absences", "2 runs could not start").await?;
+        assert!(page.text(".absences").await?.contains("The book’s explorer. The start 0,4 has 2 ways"));
+        assert!(!page.text(".standings").await?.contains("left-hand"));
         page.click_css(".runs thead th:nth-child(7) button").await?;
         page.wait_until("document.querySelector('.runs tbody td:nth-child(7)').innerText === '1.00'").await?;
         let downloads = page.allow_downloads().await?;
         page.click("Save all runs as CSV").await?;
         assert_eq!(downloads.file("league.csv").await?.lines().count(), 111);
         page.choose("#runs-of", "The book’s explorer").await?;
-        page.wait_for_text("#runs-title", "22 runs").await?;
+        page.wait_for_text("#runs-title", "20 runs, and 2 that").await?;
         // Anywhere in a row.
         page.click_css(".runs tbody tr td:nth-child(2)").await?;
         page.wait_for_text("#count", "stop 0 /").await?;
@@ -140,6 +147,8 @@ async fn dropped_files_are_a_league_and_bad_ones_are_told() -> Result<()> {
         page.call(drop, &[json!(good)]).await?;
         page.wait_for_text("#league-status", "All 2 mazes are run").await?;
         page.wait_for_text("#runs-title", "10 runs").await?;
+        page.wait_for_text(".league-form", "3 files.").await?;
+        page.wait_for_text("#league-run", "Run over 2 mazes").await?;
         page.wait_for_text(".refused", "bad.maze").await?;
         assert!(page.text(".refused").await?.contains("Line 1"));
         Ok(())

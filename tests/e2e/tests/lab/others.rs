@@ -165,8 +165,20 @@ async fn letters_are_reduced_on_paper() -> Result<()> {
         page.click("Reduce once").await?;
         page.wait_for_text("#reductions", "SSSR").await?;
         page.fill("#turns", "SSX").await?;
-        page.wait_for_text("#turns-hint", "Letter 3 is “X”").await?;
-        page.fill("#turns", "SSR").await?;
+        page.wait_for_text("#turns-hint", "Character 3 is “X”: write L, S or F").await?;
+        // As people have them: letters of others, quotes, arrows, a file.
+        for (text, letters) in [
+            ("{'f', 'u'}", "SB"),
+            ("←→↑↓", "LRSB"),
+            ("number,letter,turn\n1,S,straight\n2,R,right\n", "SR"),
+            ("const char turns[] = \"SSR\"; // LLL", "SSR"),
+        ] {
+            page.fill("#turns", text).await?;
+            page.wait_until(&format!(
+                "document.querySelector('#reductions').innerText.trim() === '{letters}'"
+            ))
+            .await?;
+        }
         page.wait_for_text("#leads", "It leads to the finish").await?;
         page.click("Reverse").await?;
         assert_eq!(page.value("#turns").await?, "LSS");
