@@ -37,7 +37,11 @@ pub(crate) fn convert(args: &Convert, out: &mut impl Write) -> Result<Status, Fa
         svg::write_way(&maze, &Way { points: &points, title: &title }).into_bytes()
     } else {
         file::write(&maze, format).map_err(|error| {
-            Failure::Message(format!("{from}: cannot become a .{}: {error}{}", format.extension(), if error == CannotSay::Finish { " (--finish none leaves it out)" } else { "" }))
+            Failure::Message(format!(
+                "{from}: cannot become a .{}: {error}{}",
+                format.extension(),
+                if error == CannotSay::Finish { " (--finish none leaves it out)" } else { "" }
+            ))
         })?
     };
     if is_output(&args.out) {

@@ -2,8 +2,8 @@
 
 use std::io::Write;
 
-use line_maze_lab::compare::score::told;
 use line_maze_lab::brief::brief;
+use line_maze_lab::compare::score::told;
 use line_maze_lab::event::Outcome;
 use line_maze_lab::geometry::{Heading, Turn};
 use line_maze_lab::ink::Ink;

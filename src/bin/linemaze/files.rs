@@ -7,7 +7,7 @@ use std::path::Path;
 use line_maze_lab::maze::file::{self, ReadError};
 use line_maze_lab::maze::generate;
 use line_maze_lab::maze::json::{self, JsonError};
-use line_maze_lab::maze::micromouse::{CannotSay, Spot};
+use line_maze_lab::maze::micromouse::Spot;
 use line_maze_lab::maze::text::Place;
 use line_maze_lab::maze::{Maze, Reading, text};
 

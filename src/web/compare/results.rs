@@ -12,7 +12,7 @@ use super::{Tabs, open_in_stepper};
 use crate::compare::forks::letter;
 use crate::compare::score::{Column, Score};
 use crate::compare::sheet::runs_csv;
-use crate::compare::words::{End, ended, escaped, figure};
+use crate::compare::words::{End, escaped, figure};
 use crate::web::browser;
 use crate::web::state::Dialog;
 

@@ -109,7 +109,10 @@ async fn a_finish_off_the_centre_is_left_out_of_an_export_by_choice() -> Result<
         let mut without = maze.clone();
         without.set_finish(Vec::new());
         let name = file::name(&maze, "num");
-        assert_eq!(downloads.bytes(&name).await?, file::write(&without, file::Format::Micromouse(Form::Num))?);
+        assert_eq!(
+            downloads.bytes(&name).await?,
+            file::write(&without, file::Format::Micromouse(Form::Num))?
+        );
         // A drawing can say it: there it stays.
         from_menu(page, "Export micromouse .txt").await?;
         let drawn = downloads.file(&file::name(&maze, "txt")).await?;
