@@ -1,5 +1,5 @@
 //! What a mind tells while it decides, and the words about it: of a whole stop the template of its case, with the
-//! mind's numbers; of a line before the last one what it asked or did ([`line`]).
+//! mind's numbers; of a line before the last one what it asked or did ([`mod@line`]).
 //!
 //! In a template, `*…*` is what matters, `` `…` `` a name of the source, and `{…}` a fact: `{turn}` and
 //! `{cells}` of the stop, all others of the mind after it.
