@@ -177,7 +177,7 @@ pub enum Decision {
 pub enum Outcome {
     /// The robot stands on the finish.
     Finish,
-    /// Every line was driven; none led to the finish.
+    /// As far as the robot knows every line was driven, and none led to the finish.
     NoFinishReachable,
     /// Everything that can be reached is mapped.
     Mapped,
@@ -278,7 +278,7 @@ impl fmt::Display for Outcome {
         match *self {
             Self::Finish => write!(f, "finish reached"),
             Self::NoFinishReachable => {
-                write!(f, "no finish reachable: no way is left that could lead to one")
+                write!(f, "no finish reachable: the robot knows no way that is left")
             }
             Self::Mapped => write!(f, "everything that can be reached is mapped"),
             Self::Circling { first, again } => write!(

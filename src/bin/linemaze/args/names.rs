@@ -1,4 +1,4 @@
-//! How explorers are named.
+//! How explorers are named, and what of them is the lab's reading of their source.
 
 use std::ffi::OsStr;
 
@@ -9,7 +9,10 @@ use line_maze_lab::explorer::name::Name;
 
 /// The explorers' names, each with its title in the help; blanks around them and capitals are no matter.
 pub(super) fn names() -> impl TypedValueParser<Value = Name> {
-    let name = |name: &Name| PossibleValue::new(name.text()).help(name.about().title);
+    let name = |name: &Name| {
+        let about = name.about();
+        PossibleValue::new(name.text()).help(format!("{}; {}", about.title, about.reading.extent.words()))
+    };
     Names(PossibleValuesParser::new(Name::ALL.iter().map(name)))
 }
 
