@@ -2,8 +2,8 @@
 "use strict";
 (() => {
   const MAZE = "line-maze-lab/maze";
-  const LOST = "The lab did not arrive completely. Your maze is safe, it is kept in this browser. "
-    + "Please check the connection, then start again.";
+  const LOST = "The lab did not arrive completely. Please check the connection, then start again.";
+  const SANDBOXED = "The lab can’t be loaded in a sandboxed frame. Please open this page in a tab of its own.";
   const FROM_A_FILE = "Opened as a file, a browser lets no program start. In the page’s folder run "
     + "“python3 -m http.server”, then open http://localhost:8000.";
 
@@ -11,6 +11,10 @@
   // The app takes the first words of the page away when it's there.
   const running = () => document.readyState !== "loading" && !element("loading");
   let problem = null;
+  // The maze, as long as the browser does not keep it.
+  let unkept = null;
+
+  addEventListener("linemaze:not-kept", (event) => { unkept = event.detail; });
 
   // The panic's own words come first, and the trap that follows adds nothing.
   addEventListener("linemaze:panic", (event) => rescue(String(event.detail)));
@@ -29,7 +33,8 @@
   }
 
   function lost(message) {
-    rescue(message, location.protocol === "file:" ? FROM_A_FILE : LOST);
+    const text = location.protocol === "file:" ? FROM_A_FILE : origin === "null" ? SANDBOXED : LOST;
+    rescue(message, text);
   }
 
   function rescue(message, text) {
@@ -44,6 +49,7 @@
     for (const other of document.body.children) other.inert = other !== screen;
     element("loading")?.remove();
     if (text) element("rescue-text").textContent = text;
+    element("rescue-text").textContent += promise();
     element("rescue-detail").textContent = `${problem} · version ${version()}`;
     element("rescue-restart").addEventListener("click", restart);
     element("rescue-download").addEventListener("click", download);
@@ -61,26 +67,29 @@
     location.reload();
   }
 
+  // Nothing is promised that is not so.
+  function promise() {
+    if (unkept !== null) return " This browser does not keep your maze: download it before you start again.";
+    return kept() ? " Your maze is safe: it is kept in this browser." : "";
+  }
+
+  function kept() {
+    try {
+      return localStorage.getItem(MAZE);
+    } catch {
+      return null;
+    }
+  }
+
   function download() {
-    const maze = keptMaze();
-    if (!maze) return;
+    const maze = unkept ?? kept();
+    if (!maze) return say("This browser has kept no maze.");
     const link = document.createElement("a");
     link.href = URL.createObjectURL(new Blob([maze], { type: "text/plain" }));
     link.download = "my.maze";
     link.click();
     setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
     say("Saved as my.maze; Draw › Open reads it again.");
-  }
-
-  function keptMaze() {
-    try {
-      const maze = localStorage.getItem(MAZE);
-      if (!maze) say("This browser has kept no maze yet.");
-      return maze;
-    } catch {
-      say("This browser keeps nothing for this page, so there’s no maze to download.");
-      return null;
-    }
   }
 
   async function copyReport() {

@@ -19,6 +19,7 @@ const FOLDER: &str = "/some/sub/folder/";
 struct Faults {
     missing: Vec<&'static str>,
     changed: Vec<(&'static str, &'static str, &'static str)>,
+    open: bool,
 }
 
 /// A running server.
@@ -77,6 +78,11 @@ impl Site {
         self.faults().changed.push((file, from, to));
     }
 
+    /// From now on, pages of other origins may read what is here, as many servers have it.
+    pub fn let_strangers_in(&self) {
+        self.faults().open = true;
+    }
+
     /// Every file is found again.
     pub fn find_all(&self) {
         self.faults().missing.clear();
@@ -128,12 +134,14 @@ async fn answer(mut stream: TcpStream, dist: &Path, faults: &Mutex<Faults>) -> R
         let body = faults.lock().unwrap_or_else(PoisonError::into_inner).apply(&path, body)?;
         Some((path, body))
     });
+    let strangers = faults.lock().unwrap_or_else(PoisonError::into_inner).open;
+    let strangers = if strangers { "Access-Control-Allow-Origin: *\r\n" } else { "" };
     let (status, mime, body) = match &found {
         Some((path, body)) => ("200 OK", mime(path), body.as_slice()),
         None => ("404 Not Found", "text/plain", b"not found".as_slice()),
     };
     let head = format!(
-        "HTTP/1.1 {status}\r\nContent-Type: {mime}\r\nContent-Length: {}\r\nCache-Control: no-cache\r\n\
+        "HTTP/1.1 {status}\r\nContent-Type: {mime}\r\nContent-Length: {}\r\nCache-Control: no-cache\r\n{strangers}\
          Connection: close\r\n\r\n",
         body.len()
     );
