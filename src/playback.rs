@@ -3,6 +3,8 @@
 //! Headless: a view sends [`Command`]s and ticks, and shows the [`Moment`] and how far the bot has driven
 //! towards the next stop. Anything with stops can be played: a trace, or the drive of a solved maze.
 
+pub mod voice;
+
 use crate::trace::Moment;
 
 /// What can be played.

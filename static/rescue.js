@@ -4,6 +4,7 @@
 (() => {
   const MAZE = "line-maze-lab/maze";
   const EMPTY_WASM = new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0]);
+  const SANDBOXED = "The lab can’t be loaded in a sandboxed frame. Please open this page in a tab of its own.";
   const FROM_A_FILE = "Opened as a file, a browser lets no program start. In the page’s folder run "
     + "“python3 -m http.server”, then open http://localhost:8000.";
   const NO_WEBASSEMBLY = "The lab is a WebAssembly program, and this browser has WebAssembly switched off. Lockdown "
@@ -21,6 +22,10 @@
   const running = () => document.readyState !== "loading" && !element("loading");
   const hasWasm = () => typeof WebAssembly === "object";
   let problem = null;
+  // The maze, as long as the browser does not keep it.
+  let unkept = null;
+
+  addEventListener("linemaze:not-kept", (event) => { unkept = event.detail; });
 
   // The panic's own words come first, and the trap that follows adds nothing.
   addEventListener("linemaze:panic", (event) => broke(String(event.detail)));
@@ -39,8 +44,7 @@
   }
 
   function broke(message) {
-    const safe = keepsMaze() ? "Your maze is safe: it was kept before this step. " : "";
-    rescue(message, `${safe}Please start again; if it breaks at the same place, send us the report.`);
+    rescue(message, "Please start again; if it breaks at the same place, send us the report.");
   }
 
   function lost(error, message) {
@@ -51,6 +55,7 @@
   async function diagnosis(error) {
     if (location.protocol === "file:") return FROM_A_FILE;
     if (!hasWasm()) return NO_WEBASSEMBLY;
+    if (origin === "null") return SANDBOXED;
     for (const link of document.querySelectorAll("link[rel=modulepreload], link[as=fetch]")) {
       const wrong = await wrongWith(link);
       if (wrong) return wrong;
@@ -87,8 +92,7 @@
   }
 
   function incomplete(what, cure) {
-    const safe = keepsMaze() ? "Your maze is safe, it is kept in this browser. " : "";
-    return `The lab did not arrive completely${what}. ${safe}${cure}`;
+    return `The lab did not arrive completely${what}. ${cure}`;
   }
 
   function nameOf(address) {
@@ -106,7 +110,7 @@
     const screen = element("rescue");
     for (const other of document.body.children) other.inert = other !== screen;
     if (element("loading")) element("loading").remove();
-    element("rescue-text").textContent = text;
+    element("rescue-text").textContent = text + promise();
     element("rescue-detail").textContent = `${problem} · version ${version()}`;
     element("rescue-restart").addEventListener("click", restart);
     element("rescue-download").addEventListener("click", download);
@@ -124,28 +128,29 @@
     location.reload();
   }
 
-  function download() {
-    let maze = null;
+  // Nothing is promised that is not so.
+  function promise() {
+    if (unkept !== null) return " This browser does not keep your maze: download it before you start again.";
+    return kept() ? " Your maze is safe: it is kept in this browser." : "";
+  }
+
+  function kept() {
     try {
-      maze = localStorage.getItem(MAZE);
+      return localStorage.getItem(MAZE);
     } catch (forbidden) {
-      return say("This browser keeps nothing for this page, so there’s no maze to download.");
+      return null;
     }
-    if (!maze) return say("This browser has kept no maze yet.");
+  }
+
+  function download() {
+    const maze = unkept === null ? kept() : unkept;
+    if (!maze) return say("This browser has kept no maze.");
     const link = document.createElement("a");
     link.href = URL.createObjectURL(new Blob([maze], { type: "text/plain" }));
     link.download = "my.maze";
     link.click();
     setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
     say("Saved as my.maze; Draw › Open reads it again.");
-  }
-
-  function keepsMaze() {
-    try {
-      return Boolean(localStorage.getItem(MAZE));
-    } catch (forbidden) {
-      return false;
-    }
   }
 
   async function copyReport() {

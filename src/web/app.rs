@@ -6,34 +6,33 @@ use wasm_bindgen::JsCast;
 use wasm_bindgen::prelude::*;
 
 use super::header::Header;
+use super::keeping::{self, Kept};
 use super::state::{Lab, Room};
 use super::step::StepRoom;
 use super::{
-    bench, browser, clock, compare, connect, dialogs, draw, keys, lazy, opening, others, projector, storage,
+    aloud, bench, browser, clock, compare, connect, dialogs, draw, focus, keys, lazy, opening, others,
+    projector, rooms, storage,
 };
 use crate::maze::samples;
 use crate::playback::Motion;
 
-/// The part of the address that holds a maze.
-pub const LINK: &str = "m=";
-
 /// The whole page.
 #[component]
 pub fn App() -> impl IntoView {
-    let own = storage::maze().unwrap_or_else(samples::figure_3_1);
+    let (own, known) = keeping::last();
+    let own = own.unwrap_or_else(samples::figure_3_1);
     let motion = if browser::reduced_motion() { Motion::Reduced } else { Motion::Smooth };
     let lab = Lab::new(own, storage::settings(), storage::explorer(), motion);
+    lab.known.set_value(known);
     provide_context(lab);
-    follow_address(lab, browser::hash().as_str());
-    keep(lab);
+    rooms::listen(lab);
+    keeping::listen(lab);
     show_theme(lab);
     clock::run_clock(lab);
+    focus::watch();
     keys::listen(lab);
     opening::listen(lab);
     listen_for_updates(lab);
-    let on_hash =
-        window_event_listener(leptos::ev::hashchange, move |_| follow_address(lab, browser::hash().as_str()));
-    on_cleanup(move || on_hash.remove());
     let book = Memo::new(move |_| lab.by_the_book());
     view! {
         {part(move || lab.halt.get().map(|halt| halt(lab)))}
@@ -52,51 +51,10 @@ pub fn App() -> impl IntoView {
                 (false, Room::Bench) => lazy::view(bench::room),
             })}
         </div>
+        <aloud::Aloud />
         <dialogs::Dialogs />
         <dialogs::Toasts />
     }
-}
-
-/// Opens a room, and says so in the address: the browser's *Back* leads to the room before.
-pub fn go(lab: Lab, room: Room) {
-    lab.projector.set(false);
-    let other = lab.room.get_untracked() != room;
-    lab.room.set(room);
-    // A borrowed maze stays in the address, so that reloading shows it again.
-    if other && !lab.borrowed.get_untracked() {
-        browser::push_hash(room.hash());
-    }
-}
-
-/// Opens what the address names: a room, or the maze of a link.
-fn follow_address(lab: Lab, hash: &str) {
-    if let Some(payload) = hash.strip_prefix(LINK) {
-        opening::open_link(lab, payload);
-    } else if let Some(room) = Room::of_hash(hash) {
-        lab.projector.set(false);
-        lab.room.set(room);
-    }
-}
-
-/// Keeps maze and settings as they change.
-fn keep(lab: Lab) {
-    Effect::new(move |before: Option<()>| {
-        let maze = lab.maze.get();
-        if !lab.borrowed.get() {
-            lab.not_kept.set(storage::keep_maze(&maze).is_err());
-            // A maze of one's own is not in the address.
-            if before.is_some() && browser::hash().starts_with(LINK) {
-                browser::replace_hash(lab.room.get_untracked().hash());
-            }
-        }
-    });
-    Effect::new(move |_| {
-        lab.settings.with(|settings| {
-            if !lab.borrowed.get() {
-                storage::keep_settings(settings, lab.explorer.get());
-            }
-        });
-    });
 }
 
 /// Sets the theme on the root element, and follows the system where that is chosen.
@@ -130,7 +88,11 @@ fn listen_for_updates(lab: Lab) {
     let waiting = window_event_listener_untyped("linemaze:update-ready", move |_| {
         let toast = Toast {
             title: "A new version is here".into(),
-            text: "Your maze stays as it is.".into(),
+            text: if lab.kept.with_untracked(|kept| *kept == Kept::Here) {
+                "Your maze stays as it is.".into()
+            } else {
+                "This browser does not keep your maze: save it as a file first (Ctrl S).".into()
+            },
             tone: ToastTone::Info,
             action: Some(ToastAction::Update),
         };

@@ -76,22 +76,29 @@ pub fn hash() -> String {
     window().location().hash().unwrap_or_default().trim_start_matches('#').to_owned()
 }
 
-/// Sets what follows `#` without a new entry in the browser's history.
-pub fn replace_hash(hash: &str) {
+/// What this entry of the browser's history was given to remember.
+#[must_use]
+pub fn remembered() -> Option<String> {
+    window().history().ok()?.state().ok()?.as_string()
+}
+
+/// Sets what follows `#` and what the entry remembers, without a new one in the browser's history.
+pub fn replace_entry(hash: &str, remembers: &str) {
     if let Ok(history) = window().history() {
-        let _ = history.replace_state_with_url(&JsValue::NULL, "", Some(&format!("#{hash}")));
+        let _ = history.replace_state_with_url(&remembers.into(), "", Some(&format!("#{hash}")));
     }
 }
 
-/// Sets what follows `#`, with an entry in the browser's history to come back to.
-pub fn push_hash(hash: &str) {
+/// A new entry in the browser's history, to come back to.
+pub fn push_entry(hash: &str, remembers: &str) {
     if let Ok(history) = window().history() {
-        let _ = history.push_state_with_url(&JsValue::NULL, "", Some(&format!("#{hash}")));
+        let _ = history.push_state_with_url(&remembers.into(), "", Some(&format!("#{hash}")));
     }
 }
 
 /// Takes the keyboard's focus away from a list once something is chosen, so that Space plays again.
 pub fn let_go(event: &web_sys::Event) {
+    super::focus::let_go();
     if let Some(element) = event.target().and_then(|target| target.dyn_into::<web_sys::HtmlElement>().ok()) {
         let _ = element.blur();
     }
@@ -99,6 +106,7 @@ pub fn let_go(event: &web_sys::Event) {
 
 /// Takes the keyboard's focus from where it is; a field says what was typed.
 pub fn blur() {
+    super::focus::let_go();
     if let Some(element) =
         document().active_element().and_then(|element| element.dyn_into::<web_sys::HtmlElement>().ok())
     {

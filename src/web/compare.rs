@@ -3,8 +3,8 @@
 use crate::web::erase::{mouse, part, sig};
 use leptos::prelude::*;
 
-use super::app::go;
 use super::lazy::{self, lazy};
+use super::rooms::go;
 use super::state::{Dialog, Lab, Room, Round, lab};
 use crate::explorer::name::Name;
 
@@ -77,7 +77,7 @@ fn CompareRoom() -> impl IntoView {
             <h1 class="vh">"Compare"</h1>
             {part(move || match desk.page.get() {
                 Page::Maze => view! {
-                    <super::notes::BrokenLink />
+                    <super::notes::Notes />
                     {part(move || desk.cannot().map(|why| view! { <CannotCompare why=why /> }))}
                     <pictures::Pictures />
                     <pictures::Parting />

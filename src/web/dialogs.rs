@@ -6,7 +6,7 @@ use leptos::prelude::*;
 
 use super::lazy::{self, lazy};
 use super::state::{Dialog, ToastAction, ToastTone, lab};
-use super::{browser, icons};
+use super::{browser, focus, icons, past};
 
 mod books;
 mod glossary;
@@ -75,12 +75,21 @@ pub enum Width {
 pub fn Modal(title: &'static str, #[prop(optional)] width: Width, children: Children) -> impl IntoView {
     let lab = lab();
     let element = NodeRef::<html::Dialog>::new();
+    let opener = StoredValue::new_local(focus::here());
     Effect::new(move |_| {
         if let Some(dialog) = element.get()
             && !dialog.open()
         {
+            begin_at_first_field(&dialog);
             let _ = dialog.show_modal();
         }
+    });
+    // However it is left. An open dialog that is only taken away would take the focus with it.
+    on_cleanup(move || {
+        if let Some(dialog) = element.get_untracked() {
+            dialog.close();
+        }
+        opener.with_value(|opener| focus::give_back(opener.as_ref()));
     });
     let close = move || lab.dialog.set(None);
     view! {
@@ -109,6 +118,16 @@ pub fn Modal(title: &'static str, #[prop(optional)] width: Width, children: Chil
     }
 }
 
+/// A dialog opens with the focus in its first field; one that is only read, in its text, which keys scroll.
+fn begin_at_first_field(dialog: &web_sys::HtmlDialogElement) {
+    const FIELDS: &str = "input:not(:disabled), select:not(:disabled), textarea:not(:disabled)";
+    let find = |css: &str| dialog.query_selector(css).ok().flatten();
+    let fields = format!(".dialog-body :is({FIELDS})");
+    if let Some(first) = find("[data-first]").or_else(|| find(&fields)).or_else(|| find(".dialog-body")) {
+        let _ = first.set_attribute("autofocus", "");
+    }
+}
+
 /// The toast, read aloud when it comes.
 #[component]
 pub fn Toasts() -> impl IntoView {
@@ -116,7 +135,8 @@ pub fn Toasts() -> impl IntoView {
     let act = move |action: ToastAction| {
         lab.toast.set(None);
         match action {
-            ToastAction::Undo => lab.undo(),
+            ToastAction::Undo => past::undo(lab),
+            ToastAction::Redo => past::redo(lab),
             ToastAction::Cure(cure) => lab.cure(cure),
             ToastAction::Update => {
                 if let Ok(event) = web_sys::Event::new("linemaze:update-now") {
@@ -153,6 +173,7 @@ pub fn Toasts() -> impl IntoView {
                         {toast.action.map(|action| {
                             let label = match &action {
                                 ToastAction::Undo => "Undo".to_owned(),
+                                ToastAction::Redo => "Redo".to_owned(),
                                 ToastAction::Update => "Use it".to_owned(),
                                 ToastAction::Cure(cure) => cure.label.clone(),
                             };

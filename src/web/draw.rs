@@ -67,7 +67,7 @@ fn DrawRoom() -> impl IntoView {
             <section class="stage" aria-label="Drawing">
                 <div>
                     <bar::Bar />
-                    <super::notes::BrokenLink />
+                    <super::notes::Notes />
                     <super::notes::NotKept />
                 </div>
                 <div class="desk">

@@ -4,7 +4,7 @@ use crate::web::erase::{mouse, part, sig};
 use leptos::prelude::*;
 
 use super::icons;
-use super::state::{Dialog, Room, lab};
+use super::state::{Dialog, Place, Room, lab};
 use super::storage::Theme;
 use crate::explorer::name::Name;
 use crate::settings::Order;
@@ -16,7 +16,7 @@ pub fn Header() -> impl IntoView {
     let room = move |room: Room, name: &'static str, hash: &'static str| {
         let here = move || (lab.room.get() == room).then_some("page");
         view! {
-            <a href=hash aria-current=here on:click=mouse(move |event| { event.prevent_default(); super::app::go(lab, room); })>{name}</a>
+            <a href=hash aria-current=here on:click=mouse(move |event| { event.prevent_default(); super::rooms::go(lab, room); })>{name}</a>
         }
     };
     view! {
@@ -37,7 +37,7 @@ pub fn Header() -> impl IntoView {
             <div class="spacer"></div>
             <div class="tools-right">
                 <OrderButton />
-                <button class="btn icon hide-s" aria-label="Projector (P)" title="Projector: large type (P)" on:click=mouse(move |_| { lab.room.set(Room::Step); lab.projector.set(true); })>
+                <button class="btn icon hide-s" aria-label="Projector (P)" title="Projector: large type (P)" on:click=mouse(move |_| lab.go(Place::Projector))>
                     {icons::screen()}
                 </button>
                 <button class="btn" aria-label="Share" title="A link and a QR code of this maze" on:click=mouse(move |_| lab.dialog.set(Some(Dialog::Share)))>

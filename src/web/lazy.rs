@@ -12,6 +12,7 @@ use leptos::reactive::computed::ScopedFuture;
 pub use leptos::wasm_split::SplitLoaderError as NotLoaded;
 
 use crate::web::erase::{mouse, part};
+use crate::web::keeping::Kept;
 use crate::web::state::{Lab, ToastTone};
 
 /// Makes a function the door to a part of the page: `lazy! { part; fn name(…) -> Type { … } }` is an async
@@ -34,7 +35,15 @@ macro_rules! lazy {
 pub(crate) use lazy;
 
 const TITLE: &str = "This part could not be loaded";
-const CURE: &str = "Try again; if that doesn’t help, reload the page. Your maze is kept.";
+
+/// What to do about it; a maze that is not kept would be gone with the page.
+fn cure(lab: Lab) -> &'static str {
+    if lab.kept.with_untracked(|kept| *kept == Kept::Here) {
+        "Try again; if that doesn’t help, reload the page. Your maze is kept."
+    } else {
+        "Try again. Reloading the page may help too, but this browser does not keep your maze."
+    }
+}
 
 /// What stands in a part's place until it is here.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -56,6 +65,7 @@ where
     if let Some(Ok(view)) = first.as_mut().now_or_never() {
         return view;
     }
+    let lab = use_context::<Lab>();
     let arrival = RwSignal::new(Arrival::Awaited);
     let place = StoredValue::new_local(None);
     let wait = move |mut coming: Pin<Box<ScopedFuture<F>>>| {
@@ -80,7 +90,7 @@ where
         Arrival::Failed => view! {
             <div class="arriving" role="alert">
                 <p><b>{TITLE}</b></p>
-                <p>{CURE}</p>
+                <p>{lab.map(cure)}</p>
                 <button class="btn" on:click=mouse(move |_| {
                     arrival.set(Arrival::Awaited);
                     again.with_value(|again| again());
@@ -101,7 +111,7 @@ pub fn arriving() -> AnyView {
 pub fn act(lab: Lab, deed: impl Future<Output = Result<(), NotLoaded>> + 'static) {
     leptos::task::spawn_local(async move {
         if deed.await.is_err() {
-            lab.say(ToastTone::Error, TITLE, CURE);
+            lab.say(ToastTone::Error, TITLE, cure(lab));
         }
     });
 }

@@ -5,10 +5,10 @@ use wasm_bindgen::JsCast;
 use wasm_bindgen::prelude::*;
 use web_sys::HtmlInputElement;
 
-use super::app::LINK;
 use super::lazy::{self, lazy};
-use super::state::{Lab, Room, Toast, ToastAction, ToastTone};
-use super::{browser, keys};
+use super::rooms::LINK;
+use super::state::{Lab, Place, Toast, ToastAction, ToastTone};
+use super::{keys, rooms};
 use crate::maze::{Reading, Remark, checks, file, json};
 use crate::share;
 
@@ -47,15 +47,21 @@ pub fn listen(lab: Lab) {
     });
 }
 
-/// Opens the maze, settings and stop of a link; a broken one is told, and nothing changes.
-pub fn open_link(lab: Lab, payload: &str) {
+/// Whether the maze of this link is open, or coming.
+pub fn is_open(lab: Lab, payload: &str) -> bool {
+    lab.borrowed.get_untracked() && lab.lent.with_value(|lent| lent == payload)
+}
+
+/// Opens the maze, settings and stop of a link at a place; a broken one is told, and nothing changes.
+pub fn open_link(lab: Lab, payload: &str, place: Place) {
     let payload = payload.to_owned();
+    lab.lent.set_value(payload.clone());
     // One's own maze is neither shown nor kept anew on the way.
     let borrowed = lab.borrowed.get_untracked();
     lab.borrowed.set(true);
     lab.link_coming.set(true);
     lazy::act(lab, async move {
-        let opened = link_opened(lab, payload).await;
+        let opened = link_opened(lab, payload, place).await;
         if !matches!(opened, Ok(true)) {
             lab.borrowed.set(borrowed);
         }
@@ -67,7 +73,7 @@ pub fn open_link(lab: Lab, payload: &str) {
 /// Opens a maze or a link that was pasted.
 pub fn open_text(lab: Lab, text: String) {
     match link_in(&text) {
-        Some(payload) => open_link(lab, payload),
+        Some(payload) => open_link(lab, payload, Place::Step),
         None => lazy::act(lab, bytes_opened(lab, "the pasted maze".to_owned(), text.into_bytes())),
     }
 }
@@ -120,17 +126,17 @@ pub fn choose_file(lab: Lab) {
 }
 
 lazy! { files;
-    fn link_opened(lab: Lab, payload: String) -> bool {
+    fn link_opened(lab: Lab, payload: String, place: Place) -> bool {
         match share::decode(&payload) {
             Ok(shared) => {
                 lab.broken_link.set(None);
-                lab.room.set(Room::Step);
+                lab.go(place);
                 lab.borrow(shared);
                 true
             }
             Err(why) => {
                 lab.broken_link.set(Some(why.to_string()));
-                browser::replace_hash("step");
+                rooms::forget_link(lab);
                 false
             }
         }

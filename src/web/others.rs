@@ -112,7 +112,8 @@ fn Room(watched: Watched) -> impl IntoView {
             <section class="stage" aria-label="Maze">
                 <div>
                     <StageBar>{scene::legend(watched)}</StageBar>
-                    <super::notes::BrokenLink />
+                    <super::notes::MazeNote />
+                    <super::notes::Notes />
                 </div>
                 {scene::stage(watched)}
             </section>

@@ -5,7 +5,8 @@ use crate::web::erase::{mouse, part};
 use leptos::prelude::*;
 
 use super::lazy::lazy;
-use super::state::{Lab, Round, lab};
+use super::notes::MazeNote;
+use super::state::{Lab, Place, Round, lab};
 use super::step::transport::{Buttons, Counter};
 use super::step::{Length, Said, Stage};
 
@@ -36,7 +37,10 @@ pub fn filled(picture: AnyView, words: AnyView) -> AnyView {
         <main class="projector" id="main" tabindex="-1">
             <h1 class="vh">"Projector"</h1>
             {picture}
-            <div class="words" role="status" aria-live="polite">{words}</div>
+            <div class="words">
+                <div class="said" data-told>{words}</div>
+                <MazeNote />
+            </div>
         </main>
         <footer class="transport-bar projector-bar" aria-label="Run">
             <Buttons />
@@ -50,7 +54,7 @@ pub fn filled(picture: AnyView, words: AnyView) -> AnyView {
                         {part(move || if lab.round.get() == Round::Explore { "Drive the solved run" } else { "Back to the exploration" })}
                     </button>
                 }))}
-                <button class="btn" on:click=mouse(move |_| lab.projector.set(false))>"Leave (P)"</button>
+                <button class="btn" on:click=mouse(move |_| lab.go(Place::Step))>"Leave (P)"</button>
             </div>
         </footer>
     }

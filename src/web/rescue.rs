@@ -14,9 +14,19 @@ pub fn catch_panics() {
 
 /// Shows the rescue screen with this report.
 pub fn tell(report: &str) {
+    dispatch("linemaze:panic", &JsValue::from_str(report));
+}
+
+/// Tells the rescue screen of a maze that the browser does not keep, so that it can be saved there; none where it is
+/// kept.
+pub fn tell_kept(not_kept: Option<&str>) {
+    dispatch("linemaze:not-kept", &not_kept.map_or(JsValue::NULL, JsValue::from_str));
+}
+
+fn dispatch(name: &str, value: &JsValue) {
     let detail = CustomEventInit::new();
-    detail.set_detail(&JsValue::from_str(report));
-    if let Ok(event) = CustomEvent::new_with_event_init_dict("linemaze:panic", &detail) {
+    detail.set_detail(value);
+    if let Ok(event) = CustomEvent::new_with_event_init_dict(name, &detail) {
         let _ = window().dispatch_event(&event);
     }
 }

@@ -7,6 +7,8 @@ mod shown;
 use std::any::Any;
 use std::sync::Arc;
 
+use super::aloud::Speaker;
+use super::keeping::Kept;
 use super::played::Played;
 use super::run_view::{Guest, Run, Same};
 use super::storage;
@@ -21,7 +23,7 @@ use crate::share::Shared;
 use crate::trace::{Frame, Moment};
 use crate::world::CannotStart;
 
-pub use shown::{Dialog, Room, Toast, ToastAction, ToastTone};
+pub use shown::{Dialog, Place, Room, Toast, ToastAction, ToastTone};
 
 /// What the stepper plays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -80,20 +82,34 @@ pub struct Lab {
     pub robots_eye: RwSignal<bool>,
     /// Large type: maze, sentence, controls.
     pub projector: RwSignal<bool>,
+    /// Whether Compare shows the league.
+    pub league: RwSignal<bool>,
     /// The open dialog.
     pub dialog: RwSignal<Option<Dialog>>,
     /// The toast.
     pub toast: RwSignal<Option<Toast>>,
+    /// What was just done, for screen readers.
+    pub done: RwSignal<String>,
+    /// Who reads the run aloud.
+    pub speaker: Speaker,
     /// A link that could not be opened: why.
     pub broken_link: RwSignal<Option<String>>,
     /// Whether a link is being opened.
     pub link_coming: RwSignal<bool>,
     /// Whether the maze came by a link and is not the user's own yet.
     pub borrowed: RwSignal<bool>,
-    /// Whether the browser refuses to keep the drawing.
-    pub not_kept: RwSignal<bool>,
+    /// The payload of the link that it came by.
+    pub lent: StoredValue<String>,
+    /// Whether the browser keeps the user's own maze.
+    pub kept: RwSignal<Kept>,
+    /// What this page has last read or written as the kept maze.
+    pub known: StoredValue<Option<String>>,
+    /// Whether a kept maze that can't be read is put aside.
+    pub aside: RwSignal<bool>,
     /// Light or dark.
     pub theme: RwSignal<storage::Theme>,
+    /// Whether letters, digits and marks are keys of the page.
+    pub letters: RwSignal<bool>,
 }
 
 /// The state of the page.
@@ -147,13 +163,46 @@ impl Lab {
             lit: RwSignal::new(None),
             robots_eye: RwSignal::new(false),
             projector: RwSignal::new(false),
+            league: RwSignal::new(false),
             dialog: RwSignal::new(None),
             toast: RwSignal::new(None),
+            done: RwSignal::default(),
+            speaker: Speaker::new(),
             broken_link: RwSignal::new(None),
             link_coming: RwSignal::new(false),
             borrowed: RwSignal::new(false),
-            not_kept: RwSignal::new(false),
+            lent: StoredValue::default(),
+            kept: RwSignal::default(),
+            known: StoredValue::default(),
+            aside: RwSignal::new(storage::aside().is_some()),
             theme: RwSignal::new(storage::theme()),
+            letters: RwSignal::new(storage::letters()),
+        }
+    }
+
+    /// Where the user is.
+    #[must_use]
+    pub fn place(self) -> Place {
+        match (self.room.get(), self.projector.get()) {
+            (_, true) => Place::Projector,
+            (Room::Draw, _) => Place::Draw,
+            (Room::Step, _) => Place::Step,
+            (Room::Compare, _) if self.league.get() => Place::League,
+            (Room::Compare, _) => Place::Compare,
+            (Room::Connect, _) => Place::Connect,
+            (Room::Bench, _) => Place::Bench,
+        }
+    }
+
+    /// Goes there.
+    pub fn go(self, place: Place) {
+        // A room that is open already is not to be made anew.
+        if untrack(|| self.place()) != place {
+            self.room.set(place.room());
+            self.projector.set(place == Place::Projector);
+            if place.room() == Room::Compare {
+                self.league.set(place == Place::League);
+            }
         }
     }
 
@@ -246,18 +295,22 @@ impl Lab {
         changed
     }
 
-    /// Takes the last edit back.
-    pub fn undo(self) {
-        if self.history.try_update(History::undo).unwrap_or(false) {
+    /// Takes the last edit back. Returns whether there was one.
+    pub fn undo(self) -> bool {
+        let undone = self.history.try_update(History::undo).unwrap_or(false);
+        if undone {
             self.maze_changed();
         }
+        undone
     }
 
-    /// Makes the last edit again.
-    pub fn redo(self) {
-        if self.history.try_update(History::redo).unwrap_or(false) {
+    /// Makes the last edit again. Returns whether there was one.
+    pub fn redo(self) -> bool {
+        let redone = self.history.try_update(History::redo).unwrap_or(false);
+        if redone {
             self.maze_changed();
         }
+        redone
     }
 
     /// Opens another maze; the one before can be had back by undo.

@@ -30,7 +30,8 @@ pub fn StepRoom() -> impl IntoView {
             <section class="stage" aria-label="Maze">
                 <div>
                     <StageBar><Legend /></StageBar>
-                    <super::notes::BrokenLink />
+                    <super::notes::MazeNote />
+                    <super::notes::Notes />
                     <GuestNote />
                 </div>
                 <Stage />
@@ -161,7 +162,7 @@ pub fn CannotRun(why: String) -> impl IntoView {
             <div class="pad stack">
                 <p>{why}</p>
                 <div class="row">
-                    <button class="btn primary" on:click=mouse(move |_| super::app::go(lab, Room::Draw))>
+                    <button class="btn primary" on:click=mouse(move |_| super::rooms::go(lab, Room::Draw))>
                         "Draw it right"
                     </button>
                     <button class="btn" on:click=mouse(move |_| lab.dialog.set(Some(Dialog::Samples)))>"Open a sample"</button>

@@ -2,13 +2,19 @@
 //! then the page works on and says so.
 
 use crate::explorer::name::Name;
-use crate::maze::{Maze, Scale, text};
+use crate::maze::Scale;
 use crate::settings::{Pace, Rule, Search, Settings};
 
 const MAZE: &str = "line-maze-lab/maze";
 const SETTINGS: &str = "line-maze-lab/settings";
 const EXPLORER: &str = "line-maze-lab/explorer";
 const THEME: &str = "line-maze-lab/theme";
+const LETTERS: &str = "line-maze-lab/letters";
+const NOTE: &str = "line-maze-lab/note";
+/// Mazes that could not be read, each beside a number.
+const ASIDE: &str = "line-maze-lab/aside";
+/// So many are put aside.
+const MOST_ASIDE: usize = 9;
 
 /// The browser does not keep anything: forbidden, or full.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -27,18 +33,55 @@ fn set(key: &str, value: &str) -> Result<(), NotKept> {
     storage()?.set_item(key, value).map_err(|_| NotKept)
 }
 
-/// The user's own last maze.
+fn remove(key: &str) {
+    if let Ok(storage) = storage() {
+        let _ = storage.remove_item(key);
+    }
+}
+
+/// Whether the browser gives this page no storage at all.
 #[must_use]
-pub fn maze() -> Option<Maze> {
-    text::parse(&get(MAZE)?).ok()
+pub fn is_forbidden() -> bool {
+    storage().is_err()
+}
+
+/// The user's own last maze, as it was kept.
+#[must_use]
+pub fn maze() -> Option<String> {
+    get(MAZE)
 }
 
 /// Keeps the maze.
 ///
 /// # Errors
 /// Where storage is full or forbidden.
-pub fn keep_maze(maze: &Maze) -> Result<(), NotKept> {
-    set(MAZE, &text::write(maze))
+pub fn keep_maze(text: &str) -> Result<(), NotKept> {
+    set(MAZE, text)
+}
+
+fn places_aside() -> impl Iterator<Item = String> {
+    (1..=MOST_ASIDE).map(|nth| format!("{ASIDE}-{nth}"))
+}
+
+/// Keeps a text that can't be read beside the maze, until somebody has seen it.
+///
+/// # Errors
+/// Where there is no room for it.
+pub fn put_aside(text: &str) -> Result<(), NotKept> {
+    let free = |place: &String| get(place).is_none_or(|other| other == text);
+    let place = places_aside().find(free).ok_or(NotKept)?;
+    set(&place, text)
+}
+
+/// The first text that was put aside.
+#[must_use]
+pub fn aside() -> Option<String> {
+    places_aside().find_map(|place| get(&place))
+}
+
+/// Throws a text away that was put aside.
+pub fn drop_aside(text: &str) {
+    places_aside().filter(|place| get(place).as_deref() == Some(text)).for_each(|place| remove(&place));
 }
 
 /// The user's last settings; what cannot be read is as at first.
@@ -129,6 +172,35 @@ pub fn keep_theme(theme: Theme) {
     let _ = match theme {
         Theme::Light => set(THEME, "light"),
         Theme::Dark => set(THEME, "dark"),
-        Theme::System => storage().and_then(|storage| storage.remove_item(THEME).map_err(|_| NotKept)),
+        Theme::System => {
+            remove(THEME);
+            Ok(())
+        }
     };
+}
+
+/// Whether letters, digits and marks are keys of the page.
+#[must_use]
+pub fn letters() -> bool {
+    get(LETTERS).as_deref() != Some("off")
+}
+
+/// Keeps that, if the browser lets us.
+pub fn keep_letters(on: bool) {
+    if on {
+        remove(LETTERS)
+    } else {
+        let _ = set(LETTERS, "off");
+    }
+}
+
+/// Whether the maze's note was folded or unfolded last; none where nobody has done either.
+#[must_use]
+pub fn note_open() -> Option<bool> {
+    get(NOTE).map(|how| how == "open")
+}
+
+/// Keeps that, if the browser lets us.
+pub fn keep_note_open(open: bool) {
+    let _ = set(NOTE, if open { "open" } else { "folded" });
 }

@@ -18,7 +18,7 @@ use crate::run::AnyRun;
 use crate::settings::Pace;
 use crate::web::browser;
 use crate::web::run_view::Same;
-use crate::web::state::{Lab, Room};
+use crate::web::state::{Lab, ToastTone};
 
 /// One maze, or many.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -134,7 +134,7 @@ pub struct Desk {
     /// The page's state.
     pub lab: Lab,
     /// One maze, or many.
-    pub page: RwSignal<Page>,
+    pub page: Memo<Page>,
     /// Who.
     pub names: RwSignal<Vec<Name>>,
     /// Their runs.
@@ -201,10 +201,10 @@ impl Desk {
             }
             Same::new(field)
         });
-        let page = if browser::hash() == "league" { Page::League } else { Page::Maze };
+        let page = Memo::new(move |_| if lab.league.get() { Page::League } else { Page::Maze });
         let desk = Self {
             lab,
-            page: RwSignal::new(page),
+            page,
             names,
             field,
             by: RwSignal::new(By::Distance),
@@ -228,10 +228,7 @@ impl Desk {
     /// Turns to one maze or to the league.
     pub fn turn_to(self, page: Page) {
         self.playing.set(false);
-        self.page.set(page);
-        if !self.lab.borrowed.get_untracked() && self.lab.room.get_untracked() == Room::Compare {
-            browser::replace_hash(if page == Page::League { "league" } else { "compare" });
-        }
+        self.lab.league.set(page == Page::League);
     }
 
     /// Why nobody can start.
@@ -296,7 +293,7 @@ impl Desk {
         }
     }
 
-    /// To the next parting, or the first after the last.
+    /// To the next parting, or the first after the last; says so where there is none.
     pub fn next_fork(self) {
         let (by, now) = (self.by.get_untracked(), self.now.get_untracked());
         let to = self.field.with_untracked(|field| {
@@ -306,8 +303,9 @@ impl Desk {
                 .min_by(f64::total_cmp)
                 .or_else(|| times().min_by(f64::total_cmp))
         });
-        if let Some(to) = to {
-            self.seek(to);
+        match to {
+            Some(to) => self.seek(to),
+            None => self.lab.say(ToastTone::Info, "", "There is no parting: nobody drives another way."),
         }
     }
 

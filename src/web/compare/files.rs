@@ -10,7 +10,7 @@ use super::desk::{Desk, Page};
 use super::league::LeagueDesk;
 use crate::compare::league::desk::in_base64;
 use crate::maze::json;
-use crate::web::app::go;
+use crate::web::rooms::go;
 use crate::web::state::{Lab, Room};
 
 /// Whether a folder was dropped.

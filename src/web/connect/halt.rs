@@ -10,11 +10,8 @@ use crate::link::page::{Command, Link, State};
 use crate::web::icons;
 use crate::web::state::Lab;
 
-const ID: &str = "stop-robot";
-
 /// The bar.
 pub(super) fn bar(lab: Lab) -> AnyView {
-    on_cleanup(hand_on_focus);
     let state = Memo::new(move |_| Wire::of(lab).map(|wire| wire.look(Link::state)));
     let alarm = move || match state.get() {
         Some(State::Alarm(alarm)) => Some(alarm),
@@ -22,7 +19,7 @@ pub(super) fn bar(lab: Lab) -> AnyView {
     };
     view! {
         <div class="halt-bar" class:alarm=sig(move || alarm().is_some()) role="group" aria-label="Robot’s stop">
-            <button class="btn stop" id=ID aria-label="Stop the robot" title="Stop the robot at once" aria-keyshortcuts="Control+." on:click=mouse(move |_| {
+            <button class="btn stop" id="stop-robot" aria-label="Stop the robot" title="Stop the robot at once" aria-keyshortcuts="Control+." on:click=mouse(move |_| {
                 if let Some(wire) = Wire::of(lab) {
                     wire.command(Command::Stop);
                 }
@@ -51,13 +48,4 @@ pub(super) fn listen(wire: Wire) {
     let handler = pressed.as_ref().unchecked_ref();
     let _ = window().add_event_listener_with_callback_and_bool("keydown", handler, true);
     pressed.forget();
-}
-
-/// The bar goes once the robot stands: who has just pressed its button by key goes on where the page begins.
-fn hand_on_focus() {
-    let focused = document().active_element().is_some_and(|element| element.id() == ID);
-    let first = document().query_selector(".transport .play, #main").ok().flatten();
-    if let Some(next) = first.filter(|_| focused) {
-        let _ = next.unchecked_into::<web_sys::HtmlElement>().focus();
-    }
 }

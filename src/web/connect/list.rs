@@ -46,7 +46,7 @@ pub fn TurnLists() -> impl IntoView {
                         Some(letters) => row(&letters, None),
                         None => view! {
                             <span class="small">"The maze is not solved. "</span>
-                            <button class="btn" on:click=mouse(move |_| crate::web::app::go(lab, Room::Draw))>"Draw"</button>
+                            <button class="btn" on:click=mouse(move |_| crate::web::rooms::go(lab, Room::Draw))>"Draw"</button>
                         }.into_any(),
                     })}</dd>
                     <dt>"Robot"</dt>

@@ -51,7 +51,7 @@ pub fn LiveStage() -> impl IntoView {
                             <span>{if there.get() { "This is the page’s own run." } else { "This is the page’s own run. When the robot drives, its run is shown here, and in Step." }}</span>
                             <span class="spacer"></span>
                             {there.get().then(|| view! { <button class="btn" on:click=mouse(move |_| wire.show_again())>"Show the robot’s run"</button> })}
-                            {(!there.get()).then(|| view! { <button class="btn" on:click=mouse(move |_| crate::web::app::go(lab, Room::Step))>"Step"</button> })}
+                            {(!there.get()).then(|| view! { <button class="btn" on:click=mouse(move |_| crate::web::rooms::go(lab, Room::Step))>"Step"</button> })}
                         </div>
                     </div>
                 }))}

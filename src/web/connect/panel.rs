@@ -57,7 +57,8 @@ pub fn Connection() -> impl IntoView {
                         (true, _) => view! { <button class="btn" id="disconnect" on:click=mouse(move |_| wire.command(Command::Disconnect))>"Disconnect"</button> }.into_any(),
                         (false, State::Absent) => ().into_any(),
                         (false, _) => view! {
-                            <button class="btn primary" id="connect" disabled=state.get() == State::Choosing on:click=mouse(move |_| wire.command(Command::Choose))>"Connect…"</button>
+                            // No id is a place in the address: the browser would move the focus there.
+                            <button class="btn primary" id="choose-port" disabled=state.get() == State::Choosing on:click=mouse(move |_| wire.command(Command::Choose))>"Connect…"</button>
                         }.into_any(),
                     })}
                     {part(move || (!open()).then(|| view! {

@@ -8,21 +8,35 @@ use std::fmt::Write;
 
 use super::Modal;
 use crate::share::{self, Shared};
-use crate::web::app::LINK;
 use crate::web::browser;
 use crate::web::draw;
+use crate::web::rooms::LINK;
 use crate::web::state::{Lab, Round, ToastTone, lab};
 
-/// The link to what is shown, if the maze fits into one.
-fn link(lab: Lab) -> Result<String, share::ShareError> {
-    let shared = Shared {
+/// A link, and whether it holds the maze's note.
+struct Made {
+    link: String,
+    whole: bool,
+}
+
+/// The link to what is shown, if the maze fits into one; without its note, if only that is too long.
+fn made(lab: Lab) -> Result<Made, share::ShareError> {
+    let mut shared = Shared {
         maze: lab.maze.with(|maze| (**maze).clone()),
         settings: lab.settings.get(),
         explorer: lab.explorer.get(),
         stop: lab.playing().with(|playback| playback.moment().stop),
         solved: lab.round.get() == Round::Solved,
     };
-    Ok(format!("{}#{LINK}{}", browser::address(), share::encode(&shared)?))
+    let link = |shared: &Shared| Ok(format!("{}#{LINK}{}", browser::address(), share::encode(shared)?));
+    match link(&shared) {
+        Ok(link) => Ok(Made { link, whole: true }),
+        Err(_) if !shared.maze.about.note.is_empty() => {
+            shared.maze.about.note.clear();
+            Ok(Made { link: link(&shared)?, whole: false })
+        }
+        Err(why) => Err(why),
+    }
 }
 
 /// The dialog.
@@ -31,8 +45,8 @@ pub fn Share() -> impl IntoView {
     let lab = lab();
     view! {
         <Modal title="Share">
-            {part(move || match link(lab) {
-                Ok(link) => view! { <Link link=link /> }.into_any(),
+            {part(move || match made(lab) {
+                Ok(made) => view! { <Link made=made /> }.into_any(),
                 Err(_) => view! { <FileInstead /> }.into_any(),
             })}
         </Modal>
@@ -40,8 +54,9 @@ pub fn Share() -> impl IntoView {
 }
 
 #[component]
-fn Link(link: String) -> impl IntoView {
+fn Link(made: Made) -> impl IntoView {
     let lab = lab();
+    let Made { link, whole } = made;
     let code = QrCode::encode_text(&link, QrCodeEcc::Low).ok();
     let to_copy = link.clone();
     let copied = move |ok: bool| match ok {
@@ -54,6 +69,7 @@ fn Link(link: String) -> impl IntoView {
     };
     view! {
         <p>"Whoever opens this link sees this maze, these settings and this stop. Nothing is sent anywhere: the link holds it all."</p>
+        {(!whole).then(|| view! { <p id="without-note"><b>"All but its note: "</b>"with it the link would be too long. A file holds it too."</p> })}
         <label class="field">
             "Link"
             <textarea class="input link" id="link" rows="3" readonly prop:value=link.clone()></textarea>

@@ -7,8 +7,8 @@ use super::desk::{desk, many};
 use super::menu::FileMenu;
 use crate::maze::Kind;
 use crate::maze::edit::History;
-use crate::web::icons;
 use crate::web::state::{Dialog, lab};
+use crate::web::{icons, past};
 
 /// The bar.
 #[component]
@@ -73,10 +73,10 @@ fn Past() -> impl IntoView {
     };
     view! {
         <span class="group" role="group" aria-label="History">
-            <button class="btn icon" aria-label=undo title=undo disabled=sig(move || !lab.history.with(History::can_undo)) on:click=mouse(move |_| lab.undo())>
+            <button class="btn icon" aria-label=undo title=undo disabled=sig(move || !lab.history.with(History::can_undo)) on:click=mouse(move |_| past::undo(lab))>
                 {icons::undo()}
             </button>
-            <button class="btn icon" aria-label=redo title=redo disabled=sig(move || !lab.history.with(History::can_redo)) on:click=mouse(move |_| lab.redo())>
+            <button class="btn icon" aria-label=redo title=redo disabled=sig(move || !lab.history.with(History::can_redo)) on:click=mouse(move |_| past::redo(lab))>
                 {icons::redo()}
             </button>
         </span>

@@ -1,7 +1,6 @@
 //! The keyboard in the Draw room: a cursor on the lattice, and keys for the tools.
 
 use leptos::prelude::*;
-use wasm_bindgen::JsCast;
 use web_sys::KeyboardEvent;
 
 use super::desk::Desk;
@@ -9,7 +8,7 @@ use crate::geometry::{Heading, Point};
 use crate::gesture::Tool;
 use crate::maze::Kind;
 use crate::maze::edit::Edit;
-use crate::web::keys::is_typing;
+use crate::web::keys;
 
 /// A key while the drawing has the focus.
 pub fn on_canvas(desk: Desk, event: &KeyboardEvent) {
@@ -118,17 +117,7 @@ fn escape(desk: Desk) -> bool {
 
 /// Listens while the room is open.
 pub fn listen(desk: Desk) {
-    let down = window_event_listener(leptos::ev::keydown, move |event| {
-        let busy = event.default_prevented()
-            || event.ctrl_key()
-            || event.meta_key()
-            || event.alt_key()
-            || is_typing(event.target())
-            || desk.lab.dialog.with_untracked(Option::is_some);
-        if !busy && !is_pressed_by_space(&event) && in_room(desk, &event.key()) {
-            event.prevent_default();
-        }
-    });
+    keys::hear(desk.lab, move |key, _| in_room(desk, key));
     let up = window_event_listener(leptos::ev::keyup, move |event| {
         if event.key() == " " {
             desk.holds_space.set(false);
@@ -136,17 +125,7 @@ pub fn listen(desk: Desk) {
     });
     let blur = window_event_listener(leptos::ev::blur, move |_| desk.holds_space.set(false));
     on_cleanup(move || {
-        down.remove();
         up.remove();
         blur.remove();
     });
-}
-
-/// Whether Space does something where the focus is.
-fn is_pressed_by_space(event: &KeyboardEvent) -> bool {
-    let element = event.target().and_then(|target| target.dyn_into::<web_sys::Element>().ok());
-    event.key() == " "
-        && element.is_some_and(|element| {
-            matches!(element.tag_name().as_str(), "BUTTON" | "A" | "INPUT" | "SUMMARY")
-        })
 }

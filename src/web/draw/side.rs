@@ -8,9 +8,9 @@ use super::sizes::KindChoice;
 use crate::event::Outcome;
 use crate::maze::edit::Edit;
 use crate::maze::{Scale, millimetres};
-use crate::web::app::go;
 use crate::web::dialogs::settings::NumberField;
 use crate::web::icons;
+use crate::web::rooms::go;
 use crate::web::run_view::Run;
 use crate::web::state::{Room, lab};
 

@@ -5,8 +5,8 @@ use leptos::prelude::*;
 
 use crate::explorer::name::{About, Name};
 use crate::maze::samples::SAMPLES;
-use crate::web::app::go;
 use crate::web::erase::{event, mouse, part, sig};
+use crate::web::rooms::go;
 use crate::web::state::{Room, lab};
 
 /// The field, and the words under it.

@@ -34,12 +34,11 @@ pub fn said(watched: Watched, length: Length) -> AnyView {
 /// The card.
 pub fn card(watched: Watched) -> AnyView {
     let lab = lab();
-    let playing_fast = move || lab.playing().with(|playback| playback.is_playing() && playback.speed() > 2.0);
     let over = Memo::new(move |_| lab.round.get() == Round::Explore && watched.at(super::run::is_end));
     view! {
         <section class="card" aria-labelledby="now-title">
             <h2 id="now-title">"What just happened"<span class="spacer"></span><span class="small">{part(move || watched.of(|run| run.about().title))}</span></h2>
-            <div class="told" id="said" role="status" aria-live=sig(move || if playing_fast() { "off" } else { "polite" })>
+            <div class="told" id="said" data-told>
                 {said(watched, Length::Full)}
             </div>
             {part(move || over.get().then(|| super::result::card(watched)))}

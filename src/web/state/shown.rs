@@ -17,30 +17,79 @@ pub enum Room {
     Bench,
 }
 
-impl Room {
+/// Where somebody is: a room, or a page of one. The address and the document's title tell it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Place {
+    /// The room Draw.
+    Draw,
+    /// The room Step.
+    Step,
+    /// The same in large type.
+    Projector,
+    /// The room Compare.
+    Compare,
+    /// Its page for many mazes.
+    League,
+    /// The room Connect.
+    Connect,
+    /// Measurements.
+    Bench,
+}
+
+impl Place {
     /// Its name in the address.
     #[must_use]
     pub const fn hash(self) -> &'static str {
         match self {
             Self::Draw => "draw",
             Self::Step => "step",
+            Self::Projector => "projector",
             Self::Compare => "compare",
+            Self::League => "league",
             Self::Connect => "connect",
             Self::Bench => "bench",
         }
     }
 
-    /// The room of this name.
+    /// The place of this name.
     #[must_use]
     pub fn of_hash(hash: &str) -> Option<Self> {
         match hash {
             "draw" => Some(Self::Draw),
             // The page's address before a room was opened.
             "step" | "" => Some(Self::Step),
-            "compare" | "league" => Some(Self::Compare),
+            "projector" => Some(Self::Projector),
+            "compare" => Some(Self::Compare),
+            "league" => Some(Self::League),
             "connect" => Some(Self::Connect),
             "bench" if crate::web::browser::is_development() => Some(Self::Bench),
             _ => None,
+        }
+    }
+
+    /// The room.
+    #[must_use]
+    pub const fn room(self) -> Room {
+        match self {
+            Self::Draw => Room::Draw,
+            Self::Step | Self::Projector => Room::Step,
+            Self::Compare | Self::League => Room::Compare,
+            Self::Connect => Room::Connect,
+            Self::Bench => Room::Bench,
+        }
+    }
+
+    /// Its name for people.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Draw => "Draw",
+            Self::Step => "Step",
+            Self::Projector => "Projector",
+            Self::Compare => "Compare",
+            Self::League => "League",
+            Self::Connect => "Connect",
+            Self::Bench => "Benches",
         }
     }
 }
@@ -128,6 +177,8 @@ pub enum ToastTone {
 pub enum ToastAction {
     /// Takes back the last edit.
     Undo,
+    /// Makes it again.
+    Redo,
     /// Uses the new version of the page.
     Update,
     /// Cures what the maze lacks.

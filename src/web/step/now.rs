@@ -102,7 +102,6 @@ pub fn SaidSolved() -> impl IntoView {
 #[component]
 pub fn NowCard() -> impl IntoView {
     let lab = lab();
-    let playing_fast = move || lab.playing().with(|playback| playback.is_playing() && playback.speed() > 2.0);
     let at_finish = Memo::new(move |_| {
         lab.round.get() == Round::Explore
             && lab.frame.with(|frame| frame.as_ref().is_some_and(|f| f.outcome.is_some()))
@@ -110,7 +109,7 @@ pub fn NowCard() -> impl IntoView {
     view! {
         <section class="card" aria-labelledby="now-title">
             <h2 id="now-title">"What just happened"</h2>
-            <div class="told" id="said" role="status" aria-live=sig(move || if playing_fast() { "off" } else { "polite" })>
+            <div class="told" id="said" data-told>
                 <Said length=Length::Full />
             </div>
             {part(move || at_finish.get().then(|| view! { <ResultCard /> }))}

@@ -9,7 +9,7 @@ use crate::playback::{Command, Mark, SPEEDS, Timeline, Unit};
 use crate::trace::Moment;
 use crate::web::maze_view::size_of;
 use crate::web::played;
-use crate::web::state::{Lab, Round, lab};
+use crate::web::state::{Lab, Round, ToastTone, lab};
 use crate::web::{browser, icons};
 
 /// The whole bar.
@@ -61,6 +61,16 @@ pub fn Buttons() -> impl IntoView {
 /// Stops of what is played.
 fn stops(lab: Lab) -> u32 {
     timeline(lab, 0, |line| line.stops())
+}
+
+/// The stop that is shown, in a few words.
+pub fn said_now(lab: Lab) -> String {
+    said(lab, lab.playing().with(|playback| playback.moment().stop))
+}
+
+/// Whether it is the last one.
+pub fn is_at_end(lab: Lab) -> bool {
+    lab.playing().with(|playback| playback.moment().stop) == stops(lab)
 }
 
 /// Something about what is played; `default` where there is nothing.
@@ -205,6 +215,28 @@ pub fn Counter() -> impl IntoView {
     view! { <div class="count" id="count">"stop "<b>{stop}</b>" / "{part(move || stops(lab))}<span class="hide-l">{cells}</span></div> }
 }
 
+/// To the next event, or the one before; says so where none is left.
+pub fn seek_event(lab: Lab, command: Command) {
+    let stop = || untrack(|| lab.playing().with(|playback| playback.moment().stop));
+    let before = stop();
+    lab.play(command);
+    if stop() != before {
+        return;
+    }
+    let text = match command {
+        Command::PreviousEvent(_) => "There is no event before this one.".to_owned(),
+        _ if untrack(|| is_at_end(lab)) => "There is no event after this one: it is the end.".to_owned(),
+        Command::NextEvent(Some(kind)) => {
+            let name = untrack(|| {
+                lab.shown(|run| run.kinds().iter().find(|(mark, _)| *mark == kind).map(|(_, name)| *name))
+            });
+            format!("There is no other {} after this stop.", name.flatten().unwrap_or("event of this kind"))
+        }
+        _ => return,
+    };
+    lab.say(ToastTone::Info, "", text);
+}
+
 /// To the next event of a kind.
 #[component]
 fn EventPicker() -> impl IntoView {
@@ -226,7 +258,7 @@ fn EventPicker() -> impl IntoView {
                 <option value="0">"any event"</option>
                 {part(move || kinds.get().into_iter().zip(1..).map(|((_, name), i)| view! { <option value=i>{name}</option> }).collect_view())}
             </select>
-            <button class="btn icon" aria-label="Next event (N)" title="Next event of this kind (N; Shift+N back)" on:click=mouse(move |_| lab.play(Command::NextEvent(kind.get_untracked())))>
+            <button class="btn icon" aria-label="Next event (N)" title="Next event of this kind (N; Shift+N back)" on:click=mouse(move |_| seek_event(lab, Command::NextEvent(kind.get_untracked())))>
                 {icons::next_event()}
             </button>
         </span>

@@ -5,6 +5,7 @@ use std::time::{Duration, Instant};
 
 use anyhow::{Context, Result, bail};
 use fantoccini::Locator;
+use fantoccini::wd::WindowHandle;
 use serde_json::{Value, json};
 
 use crate::root;
@@ -77,6 +78,30 @@ impl Page {
         self.session.client.switch_to_window(tab.handle).await?;
         self.session.client.goto(&format!("{}#{hash}", self.address)).await?;
         self.wait_for_start().await
+    }
+
+    /// This tab, to come back to.
+    ///
+    /// # Errors
+    /// If the browser doesn't tell.
+    pub async fn tab(&self) -> Result<WindowHandle> {
+        Ok(self.session.client.window().await?)
+    }
+
+    /// Goes to a tab.
+    ///
+    /// # Errors
+    /// If it's not there.
+    pub async fn to_tab(&self, tab: &WindowHandle) -> Result<()> {
+        Ok(self.session.client.switch_to_window(tab.clone()).await?)
+    }
+
+    /// Goes into the only frame of the page: from now on, that is the page.
+    ///
+    /// # Errors
+    /// If there is none.
+    pub async fn enter_frame(&self) -> Result<()> {
+        Ok(self.session.client.enter_frame(0).await?)
     }
 
     /// Closes this tab, and goes to the one that is left.

@@ -22,6 +22,7 @@ struct Faults {
     replaced: Vec<(&'static str, &'static [u8])>,
     called: Vec<(&'static str, &'static str)>,
     policy: Option<&'static str>,
+    open: bool,
 }
 
 /// A running server.
@@ -95,6 +96,11 @@ impl Site {
         self.faults().policy = Some(policy);
     }
 
+    /// From now on, pages of other origins may read what is here, as many servers have it.
+    pub fn let_strangers_in(&self) {
+        self.faults().open = true;
+    }
+
     /// Every file is found again.
     pub fn find_all(&self) {
         self.faults().missing.clear();
@@ -154,12 +160,14 @@ async fn answer(mut stream: TcpStream, dist: &Path, faults: &Mutex<Faults>) -> R
         let policy = faults.policy.map(|policy| format!("Content-Security-Policy: {policy}\r\n"));
         Some((faults.mime(&path), policy.unwrap_or_default(), faults.apply(&path, body)?))
     });
+    let strangers = faults.lock().unwrap_or_else(PoisonError::into_inner).open;
+    let strangers = if strangers { "Access-Control-Allow-Origin: *\r\n" } else { "" };
     let (status, mime, policy, body) = match &found {
         Some((mime, policy, body)) => ("200 OK", *mime, policy.as_str(), body.as_slice()),
         None => ("404 Not Found", "text/plain", "", b"not found".as_slice()),
     };
     let head = format!(
-        "HTTP/1.1 {status}\r\nContent-Type: {mime}\r\nContent-Length: {}\r\nCache-Control: no-cache\r\n\
+        "HTTP/1.1 {status}\r\nContent-Type: {mime}\r\nContent-Length: {}\r\nCache-Control: no-cache\r\n{strangers}\
          {policy}Connection: close\r\n\r\n",
         body.len()
     );

@@ -125,7 +125,7 @@ async fn the_demo_robot_s_states_are_shown_too() -> Result<()> {
 async fn without_web_serial_the_panel_says_so_and_the_demo_robot_works() -> Result<()> {
     lab(setup().script("delete Navigator.prototype.serial;"), async |page| {
         shows(page, "absent", "not available", "Use Chrome, Edge or Firefox").await?;
-        page.wait_for_no("#connect").await?;
+        page.wait_for_no("#choose-port").await?;
         demo(page).await
     })
     .await

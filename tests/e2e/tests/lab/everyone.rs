@@ -318,29 +318,3 @@ async fn tab_reaches_everything_and_shows_where_it_is() -> Result<()> {
     })
     .await
 }
-
-#[tokio::test]
-async fn a_screen_reader_hears_every_stop() -> Result<()> {
-    lab(Setup::default(), async |page| {
-        assert_eq!(page.attribute("#said", "role").await?, "status");
-        assert_eq!(page.attribute("#said", "aria-live").await?, "polite");
-        page.eval(
-            "(window.heard = 0, new MutationObserver(() => heard++).observe(document.getElementById('said'), \
-             { childList: true, characterData: true, subtree: true }))",
-        )
-        .await?;
-        let mut before = page.text("#said").await?;
-        for stop in 1..=5 {
-            page.press("ArrowRight").await?;
-            page.wait_until(&format!("heard >= {stop}")).await?;
-            let now = page.text("#said").await?;
-            assert_ne!(now, before);
-            before = now;
-        }
-        let picture = page.attribute("svg.maze[data-stop]", "aria-label").await?;
-        assert_eq!(picture, "Maze at stop 5 of 25: the bot is at 6,5; 0 cells are crossed out");
-        assert_eq!(page.attribute("[role=slider]", "aria-valuetext").await?, "stop 5: corner");
-        Ok(())
-    })
-    .await
-}

@@ -38,7 +38,7 @@ async fn ask(page: &Page, screen: &Screen) -> Result<()> {
             break;
         }
     }
-    page.click_css("#connect").await?;
+    page.click_css("#choose-port").await?;
     page.wait_until("!document.hasFocus()").await
 }
 
