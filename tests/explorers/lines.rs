@@ -296,7 +296,7 @@ fn a_stop_is_told_line_by_line() {
         every stop: The robot has stopped and sees ways to the left and to the right. Line 4 asks corner: it is not so.
         every stop: The robot has stopped and sees ways to the left and to the right. Line 5 is done: first way of: hand, ahead, other hand, back; add(its letter).
         add(letter): The robot has stopped and sees ways to the left and to the right. Line 8 is done: path[n] = letter; n = n + 1.
-        node: At a node the robot takes the way nearest to its left hand: it turns left, and adds that letter. Its path is L.
+        node: Of several ways the robot takes the one nearest to its left hand: it turns left, and adds that letter. Its path is L.
 
         every stop: The robot has stopped and sees ways to the left and to the right. Line 2 asks finish: it is not so.
         every stop: The robot has stopped and sees ways to the left and to the right. Line 3 asks the start, a dead end: it is not so.
@@ -304,14 +304,14 @@ fn a_stop_is_told_line_by_line() {
         every stop: The robot has stopped and sees ways to the left and to the right. Line 5 asks corner: it is not so.
         every stop: The robot has stopped and sees ways to the left and to the right. Line 6 is done: one mark more for the way behind.
         every stop: The robot has stopped and sees ways to the left and to the right. Line 7 asks there were other marks, and it now has one: it is not so.
-        new-node: No way of this node has a mark but the one behind, which gets its first. The robot turns right, into a way without a mark: east 1, south 1, west 0.
+        new node: By its coordinates this node is new: no way here has a mark but the one behind, which gets its first. The robot turns right, into a way without a mark: east 1, south 1, west 0.
 
         every stop: The robot has stopped and sees ways to the left and to the right. Line 2 finds nothing: point = the one with these coordinates, within the tolerance.
         every stop: The robot has stopped and sees ways to the left and to the right. Line 3 asks there is none: it is so, and point = Total_points; Total_points = Total_points + 1 is done.
         every stop: The robot has stopped and sees ways to the left and to the right. Line 4 is done: one column more: Point, Type, CoOr_X, CoOr_Y.
         every stop: The robot has stopped and sees ways to the left and to the right. Line 5 is done: join it to the point before; Explored = its different neighbours.
         every stop: The robot has stopped and sees ways to the left and to the right. Line 6 asks it drives to a point: it is not so.
-        new-point: This place is new: it becomes point 1, at 0,2, of type 2. The robot takes its first unexplored way, east: it turns right.
+        new point: No point has these coordinates, 0,2, so this place becomes point 1, of type 2. The robot takes its first unexplored way, east: it turns right.
 
         every square: The robot has stopped and sees a way ahead. Line 2 is done: maze[xpos][ypos] |= walls; visited = 1.
         unvisited: On 1,0 the robot writes 1 1010. Of its open neighbours it takes the first that was never visited: it drives straight on.
