@@ -149,7 +149,7 @@ impl Toast {
         match (self.tone, &self.action) {
             (ToastTone::Error | ToastTone::Remark, _)
             | (_, Some(ToastAction::Update | ToastAction::Cure(_))) => false,
-            (ToastTone::Info, Some(ToastAction::Undo) | None) => true,
+            (ToastTone::Info, Some(ToastAction::Undo | ToastAction::Redo) | None) => true,
         }
     }
 
@@ -157,7 +157,7 @@ impl Toast {
     #[must_use]
     pub const fn is_about_maze(&self) -> bool {
         matches!(self.tone, ToastTone::Remark)
-            || matches!(self.action, Some(ToastAction::Undo | ToastAction::Cure(_)))
+            || matches!(self.action, Some(ToastAction::Undo | ToastAction::Redo | ToastAction::Cure(_)))
     }
 }
 
