@@ -152,8 +152,9 @@ fn a_link_brings_back_what_was_shared() {
 #[wasm_bindgen_test]
 fn the_browser_keeps_maze_settings_and_theme() {
     let maze = generate(&Recipe { seed: 3, ..Recipe::default() }).unwrap();
-    storage::keep_maze(&maze).unwrap();
-    assert_eq!(storage::maze(), Some(maze));
+    let text = text::write(&maze);
+    storage::keep_maze(&text).unwrap();
+    assert_eq!(storage::maze(), Some(text));
     let settings = Settings { order: Order::Random(9), node_max: 12, ..Settings::default() };
     storage::keep_settings(&settings, Name::LeftHand);
     assert_eq!(storage::settings(), settings);
