@@ -196,9 +196,16 @@ impl Playback {
         self.speed
     }
 
-    /// Chooses whether the bot is seen to drive.
+    /// Chooses whether the bot is seen to drive. Without motion a drive that goes on is over.
     pub const fn set_motion(&mut self, motion: Motion) {
         self.motion = motion;
+        match (motion, self.going) {
+            (Motion::Smooth, _) => {}
+            (Motion::Reduced, Going::On { to }) => self.jump(to),
+            (Motion::Reduced, Going::Home) => self.jump(self.moment),
+            // It waits at the stop that the words show, or goes on from there.
+            (Motion::Reduced, Going::Still | Going::Playing { .. }) => self.along = 0.0,
+        }
     }
 
     /// Back to the start, standing still; speed and steps stay as they were chosen.

@@ -147,3 +147,38 @@ fn who_plays_on_from_the_middle_of_a_stop_has_done_its_lines() {
     assert!(playback.along() > 0.0);
     assert_eq!(playback.moment(), Moment::after(1), "no drive begins in the middle of a stop");
 }
+
+#[test]
+fn without_motion_a_drive_that_goes_on_is_over() {
+    let begun = |command: Command| {
+        let mut playback = Playback::default();
+        playback.apply(command, &Five);
+        playback.tick(0.1, &Five);
+        assert!(playback.along() > 0.0, "it drives");
+        playback
+    };
+    let mut step = begun(Command::Forward);
+    step.set_motion(Motion::Reduced);
+    assert_eq!((step.moment(), step.along(), step.is_moving()), (Moment::after(1), 0.0, false));
+
+    let mut home = begun(Command::Forward);
+    home.apply(Command::Back, &Five);
+    home.set_motion(Motion::Reduced);
+    assert_eq!((home.moment(), home.along(), home.is_moving()), (Moment::default(), 0.0, false));
+
+    let mut paused = begun(Command::Toggle);
+    paused.apply(Command::Pause, &Five);
+    paused.set_motion(Motion::Reduced);
+    assert_eq!((paused.moment(), paused.along()), (Moment::default(), 0.0));
+
+    // It plays on from stop to stop, and drives again when motion is back.
+    let mut playing = begun(Command::Toggle);
+    playing.set_motion(Motion::Reduced);
+    playing.tick(0.25, &Five);
+    assert_eq!((playing.moment().stop, playing.along(), playing.is_playing()), (1, 0.0, true));
+    playing.set_motion(Motion::Smooth);
+    for _ in 0..5 {
+        playing.tick(0.25, &Five);
+    }
+    assert!(playing.along() > 0.0, "it is seen again");
+}

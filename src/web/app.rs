@@ -2,8 +2,6 @@
 
 use crate::web::erase::{mouse, part, sig};
 use leptos::prelude::*;
-use wasm_bindgen::JsCast;
-use wasm_bindgen::prelude::*;
 
 use super::header::Header;
 use super::state::{Lab, Room};
@@ -21,12 +19,13 @@ pub const LINK: &str = "m=";
 #[component]
 pub fn App() -> impl IntoView {
     let own = storage::maze().unwrap_or_else(samples::figure_3_1);
-    let motion = if browser::reduced_motion() { Motion::Reduced } else { Motion::Smooth };
-    let lab = Lab::new(own, storage::settings(), storage::explorer(), motion);
+    let lab = Lab::new(own, storage::settings(), storage::explorer());
     provide_context(lab);
     follow_address(lab, browser::hash().as_str());
     keep(lab);
     show_theme(lab);
+    follow_motion(lab);
+    dialogs::end_toasts(lab);
     clock::run_clock(lab);
     keys::listen(lab);
     opening::listen(lab);
@@ -39,7 +38,10 @@ pub fn App() -> impl IntoView {
         {part(move || lab.halt.get().map(|halt| halt(lab)))}
         <div class="app" class:projecting=sig(move || lab.projector.get())>
             <a class="vh skip" href="#main" on:click=mouse(move |event| { event.prevent_default(); browser::focus("main"); })>"Skip to the maze"</a>
-            <Header />
+            <div class="head">
+                <Header />
+                {part(move || lab.dialog.get().is_none().then(|| view! { <dialogs::Toasts /> }))}
+            </div>
             {part(move || match (lab.projector.get(), lab.room.get()) {
                 _ if lab.link_coming.get() => lazy::arriving(),
                 (false, Room::Draw) => lazy::view(draw::room),
@@ -53,7 +55,6 @@ pub fn App() -> impl IntoView {
             })}
         </div>
         <dialogs::Dialogs />
-        <dialogs::Toasts />
     }
 }
 
@@ -101,40 +102,32 @@ fn keep(lab: Lab) {
 
 /// Sets the theme on the root element, and follows the system where that is chosen.
 fn show_theme(lab: Lab) {
-    const DARK: &str = "(prefers-color-scheme: dark)";
-    let show = move || {
-        let dark = match lab.theme.get_untracked() {
-            storage::Theme::System => browser::media(DARK),
+    let system = browser::media("(prefers-color-scheme: dark)");
+    Effect::new(move |_| storage::keep_theme(lab.theme.get()));
+    Effect::new(move |_| {
+        let dark = match lab.theme.get() {
+            storage::Theme::System => system.get(),
             storage::Theme::Light => false,
             storage::Theme::Dark => true,
         };
         if let Some(root) = document().document_element() {
             let _ = root.set_attribute("data-theme", if dark { "dark" } else { "light" });
         }
-    };
-    Effect::new(move |_| {
-        storage::keep_theme(lab.theme.get());
-        show();
     });
-    if let Ok(Some(system)) = window().match_media(DARK) {
-        let changed = Closure::<dyn FnMut()>::new(show);
-        let _ = system.add_event_listener_with_callback("change", changed.as_ref().unchecked_ref());
-        // The app lives as long as the page.
-        changed.forget();
-    }
+}
+
+/// Whether the bot is seen to drive, as the system wants it.
+fn follow_motion(lab: Lab) {
+    let less = browser::media("(prefers-reduced-motion: reduce)");
+    Effect::new(move |_| lab.set_motion(if less.get() { Motion::Reduced } else { Motion::Smooth }));
 }
 
 /// Says when a new version of the page waits.
 fn listen_for_updates(lab: Lab) {
     use super::state::{Toast, ToastAction, ToastTone};
     let waiting = window_event_listener_untyped("linemaze:update-ready", move |_| {
-        let toast = Toast {
-            title: "A new version is here".into(),
-            text: "Your maze stays as it is.".into(),
-            tone: ToastTone::Info,
-            action: Some(ToastAction::Update),
-        };
-        lab.toast.set(Some(toast));
+        let text = "Your maze stays as it is.";
+        lab.tell(Toast::new(ToastTone::Info, "A new version is here", text).with(ToastAction::Update));
     });
     on_cleanup(move || waiting.remove());
 }

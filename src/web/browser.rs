@@ -13,16 +13,37 @@ pub fn now_s() -> f64 {
     window().performance().map_or(0.0, |clock| clock.now() / 1000.0)
 }
 
-/// Whether a media query holds.
+/// A media query: whether it holds, also when that changes while the page is open.
 #[must_use]
-pub fn media(query: &str) -> bool {
-    window().match_media(query).ok().flatten().is_some_and(|list| list.matches())
+pub fn media(query: &str) -> ReadSignal<bool> {
+    let list = window().match_media(query).ok().flatten();
+    let (holds, set_holds) = signal(list.as_ref().is_some_and(web_sys::MediaQueryList::matches));
+    if let Some(list) = list {
+        let asked = list.clone();
+        let changed = Closure::<dyn FnMut()>::new(move || {
+            // The signal may be gone before the page is.
+            let _ = set_holds.try_set(asked.matches());
+        });
+        let _ = list.add_event_listener_with_callback("change", changed.as_ref().unchecked_ref());
+        changed.forget();
+    }
+    holds
 }
 
-/// Whether the user asked for less motion.
+/// Pixels a rem: what the style sheet measures in rem follows the browser's font size.
 #[must_use]
-pub fn reduced_motion() -> bool {
-    media("(prefers-reduced-motion: reduce)")
+pub fn rem_px() -> f64 {
+    const USUAL: f64 = 16.0;
+    let root = document().document_element();
+    let style = root.and_then(|root| window().get_computed_style(&root).ok().flatten());
+    let size = style.and_then(|style| style.get_property_value("font-size").ok());
+    size.and_then(|size| size.trim_end_matches("px").parse().ok()).unwrap_or(USUAL)
+}
+
+/// Pixels that stand for one at the browser's usual font size.
+#[must_use]
+pub fn scaled_px() -> f64 {
+    rem_px() / 16.0
 }
 
 /// Offers a text as a file to keep.

@@ -64,6 +64,9 @@ pub fn open_in_stepper(lab: Lab, name: Name, stop: u32) {
     lab.watch(name, Round::Explore, stop);
 }
 
+/// More explorers than this want more room than a window has.
+const SIDE_BY_SIDE: usize = 3;
+
 #[component]
 fn CompareRoom() -> impl IntoView {
     let lab = lab();
@@ -73,7 +76,7 @@ fn CompareRoom() -> impl IntoView {
     desk.run_clock();
     let shows = move |page: Page| desk.page.get() == page;
     view! {
-        <main class="main compare" class:league-open=sig(move || shows(Page::League)) id="main" tabindex="-1">
+        <main class="main compare" class:league-open=sig(move || shows(Page::League)) class:many=sig(move || shows(Page::Maze) && desk.names.with(|names| names.len() > SIDE_BY_SIDE)) id="main" tabindex="-1">
             <h1 class="vh">"Compare"</h1>
             {part(move || match desk.page.get() {
                 Page::Maze => view! {

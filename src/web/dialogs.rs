@@ -5,7 +5,7 @@ use leptos::html;
 use leptos::prelude::*;
 
 use super::lazy::{self, lazy};
-use super::state::{Dialog, ToastAction, ToastTone, lab};
+use super::state::{Dialog, Lab, ToastAction, ToastTone, lab};
 use super::{browser, icons};
 
 mod books;
@@ -105,11 +105,35 @@ pub fn Modal(title: &'static str, #[prop(optional)] width: Width, children: Chil
             </div>
             // What scrolls can be scrolled by keys.
             <div class="dialog-body" tabindex="0">{children()}</div>
+            <Toasts />
         </dialog>
     }
 }
 
-/// The toast, read aloud when it comes.
+/// Ends messages: all of them with what they speak of; what was only told goes by itself, too.
+pub fn end_toasts(lab: Lab) {
+    Effect::new(move |_| {
+        let Some(toast) = lab.toast.get() else { return };
+        if !toast.holds() {
+            lab.toast.set(None);
+        }
+    });
+    Effect::new(move |_| {
+        let Some(toast) = lab.toast.get() else { return };
+        if toast.tone == ToastTone::Info && toast.action != Some(ToastAction::Update) {
+            set_timeout(
+                move || {
+                    if lab.toast.try_get_untracked().flatten().as_ref() == Some(&toast) {
+                        lab.toast.set(None);
+                    }
+                },
+                std::time::Duration::from_secs(6),
+            );
+        }
+    });
+}
+
+/// The message, read aloud when it comes: over the head of the page, or in the dialog that is open.
 #[component]
 pub fn Toasts() -> impl IntoView {
     let lab = lab();
@@ -124,20 +148,6 @@ pub fn Toasts() -> impl IntoView {
             }
         }
     };
-    // What was only told goes by itself; errors and questions stay.
-    Effect::new(move |_| {
-        let Some(toast) = lab.toast.get() else { return };
-        if toast.tone == ToastTone::Info && toast.action != Some(ToastAction::Update) {
-            set_timeout(
-                move || {
-                    if lab.toast.try_get_untracked().flatten().as_ref() == Some(&toast) {
-                        lab.toast.set(None);
-                    }
-                },
-                std::time::Duration::from_secs(6),
-            );
-        }
-    });
     view! {
         <div class="toasts" aria-live="assertive">
             {part(move || lab.toast.get().map(|toast| {
@@ -146,7 +156,7 @@ pub fn Toasts() -> impl IntoView {
                     <div class="toast" role=if error { "alert" } else { "status" }>
                         <span class="mark">{if error { icons::no().into_any() } else { icons::info().into_any() }}</span>
                         <p>
-                            {(!toast.title.is_empty()).then(|| view! { <b>{toast.title.clone()}</b> <br /> })}
+                            {(!toast.title.is_empty()).then(|| view! { <b>{toast.title.clone()}"."</b>" " })}
                             {toast.text.clone()}
                         </p>
                         {toast.action.map(|action| view! {

@@ -7,6 +7,7 @@ use leptos::prelude::*;
 use wasm_bindgen::JsCast;
 use wasm_bindgen::prelude::*;
 
+use super::browser;
 use super::paths::UNIT;
 use super::state::lab;
 use super::viewport::{Overlays, Size, Viewport};
@@ -25,6 +26,10 @@ extern "C" {
     #[wasm_bindgen(method)]
     fn disconnect(this: &ResizeObserver);
 }
+
+/// Picture units a pixel from which on lines get too thin to have anything drawn on them: trails then are as wide
+/// as can be seen, and stand over the line (`.far` in the style sheets).
+pub const FAR: f64 = 4.2;
 
 /// The size of an element, as it changes.
 pub fn size_of(element: NodeRef<html::Div>) -> ReadSignal<Size> {
@@ -55,6 +60,8 @@ pub fn size_of(element: NodeRef<html::Div>) -> ReadSignal<Size> {
 pub struct Camera {
     /// The picture's size.
     pub size: ReadSignal<Size>,
+    /// Pixels that stand for one at the browser's usual font size: what keeps its size follows it.
+    px: Memo<f64>,
     bounds: Memo<Bounds>,
     moved: RwSignal<Option<Viewport>>,
     most: f64,
@@ -66,7 +73,13 @@ impl Camera {
     /// A camera on a lattice; a fitted cell is at most `most` pixels.
     #[must_use]
     pub fn new(size: ReadSignal<Size>, bounds: Memo<Bounds>, most: f64) -> Self {
-        Self { size, bounds, moved: RwSignal::new(None), most, edge: 0.0, over: |_| Overlays::default() }
+        // Another font size is another layout.
+        let px = Memo::new(move |_| {
+            size.track();
+            browser::scaled_px()
+        });
+        let moved = RwSignal::new(None);
+        Self { size, px, bounds, moved, most, edge: 0.0, over: |_| Overlays::default() }
     }
 
     /// The same with so many pixels free at every edge of the picture that shows everything.
@@ -82,9 +95,11 @@ impl Camera {
     }
 
     fn fitted(self) -> Viewport {
-        let Size { w, h } = self.size.get();
-        let inner = Size { w: (w - 2.0 * self.edge).max(1.0), h: (h - 2.0 * self.edge).max(1.0) };
-        Viewport::fit_beside(self.bounds.get(), inner, self.most, (self.over)(inner))
+        let (Size { w, h }, px) = (self.size.get(), self.px.get());
+        let inner = |side: f64| (side / px - 2.0 * self.edge).max(1.0);
+        let inner = Size { w: inner(w), h: inner(h) };
+        let fitted = Viewport::fit_beside(self.bounds.get(), inner, self.most, (self.over)(inner));
+        Viewport { scale: fitted.scale * px, ..fitted }
     }
 
     /// What the picture shows.
@@ -154,10 +169,17 @@ impl Camera {
         format!("{x} {y} {} {}", Decimal(w, 2), Decimal(h, 2))
     }
 
-    /// Picture units that look like one pixel: for labels and handles that keep their size.
+    /// Picture units that look like one pixel at the browser's usual font size: for labels and handles that keep
+    /// their size.
     #[must_use]
     pub fn pixel(self) -> f64 {
-        f64::from(UNIT) / self.view().scale
+        f64::from(UNIT) / self.view().scale * self.px.get()
+    }
+
+    /// Whether lines are too thin to have anything drawn on them.
+    #[must_use]
+    pub fn is_far(self) -> bool {
+        self.pixel() > FAR
     }
 }
 
@@ -179,9 +201,11 @@ pub fn ZoomButtons(camera: Camera) -> impl IntoView {
 
 /// A finish point, with its name where one is wanted.
 pub fn finish_mark(maze: &Maze, at: Point, named: bool, pixel: f64) -> AnyView {
-    let (x, y) = (at.x * UNIT, -at.y * UNIT);
+    // Never smaller than can be seen.
+    let place =
+        format!("translate({} {}) scale({})", at.x * UNIT, -at.y * UNIT, Decimal((pixel / 4.0).max(1.0), 2));
     view! {
-        <rect class="finish" x=x - 18 y=y - 14 width="36" height="28" rx="3" />
+        <rect class="finish" x="-18" y="-14" width="36" height="28" rx="3" transform=place />
         {named.then(|| finish_name(maze, at, pixel))}
     }
     .into_any()

@@ -142,7 +142,7 @@ lazy! { files;
         match file::read(&bytes) {
             Ok(maze) => {
                 lab.open(maze);
-                lab.say(ToastTone::Info, "", format!("Opened {name}."));
+                lab.say_done(format!("Opened {name}."));
             }
             Err(why) => lab.say(ToastTone::Error, format!("Can’t read {name}"), why.to_string()),
         }

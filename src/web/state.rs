@@ -3,13 +3,14 @@
 use leptos::prelude::*;
 
 mod shown;
+mod toast;
 
 use std::any::Any;
 use std::sync::Arc;
 
 use super::played::Played;
 use super::run_view::{Guest, Run, Same};
-use super::storage;
+use super::{browser, storage};
 use crate::explorer::name::Name;
 use crate::geometry::Heading;
 use crate::maze::Maze;
@@ -20,7 +21,8 @@ use crate::share::Shared;
 use crate::trace::{Frame, Moment};
 use crate::world::CannotStart;
 
-pub use shown::{Dialog, Room, Toast, ToastAction, ToastTone};
+pub use shown::{Dialog, Room};
+pub use toast::{Toast, ToastAction, ToastTone};
 
 /// What the stepper plays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -93,6 +95,10 @@ pub struct Lab {
     pub not_kept: RwSignal<bool>,
     /// Light or dark.
     pub theme: RwSignal<storage::Theme>,
+    /// Whether the bots are seen to drive.
+    pub motion: RwSignal<Motion>,
+    /// Whether the page is being printed.
+    pub printed: ReadSignal<bool>,
 }
 
 /// The state of the page.
@@ -104,7 +110,7 @@ pub fn lab() -> Lab {
 impl Lab {
     /// The state at the beginning, with this maze and these settings.
     #[must_use]
-    pub fn new(maze: Maze, settings: Settings, explorer: Name, motion: Motion) -> Self {
+    pub fn new(maze: Maze, settings: Settings, explorer: Name) -> Self {
         let history = RwSignal::new(History::new(maze));
         let settings = RwSignal::new(settings);
         let maze = Memo::new(move |_| Same::new(history.with(|history| history.maze().clone())));
@@ -116,11 +122,7 @@ impl Lab {
         let stage = Memo::new(move |_| {
             guest.with(|guest| guest.as_ref().map_or_else(|| maze.get(), |g| g.run.maze.clone()))
         });
-        let still = || {
-            let mut playback = Playback::default();
-            playback.set_motion(motion);
-            RwSignal::new(playback)
-        };
+        let still = || RwSignal::new(Playback::default());
         let playback = still();
         let moment = Memo::new(move |_| playback.with(Playback::moment));
         let frame = Memo::new(move |_| run.with(|run| Some(run.as_ref().ok()?.trace.frame(moment.get()))));
@@ -153,6 +155,8 @@ impl Lab {
             borrowed: RwSignal::new(false),
             not_kept: RwSignal::new(false),
             theme: RwSignal::new(storage::theme()),
+            motion: RwSignal::new(Motion::Smooth),
+            printed: browser::media("print"),
         }
     }
 
@@ -204,6 +208,14 @@ impl Lab {
     /// Moves the run that is shown.
     pub fn play(self, command: Command) {
         self.at_play(|playback, line| playback.apply(command, line));
+    }
+
+    /// Chooses whether the bots are seen to drive.
+    pub fn set_motion(self, motion: Motion) {
+        self.motion.set(motion);
+        for playback in [self.playback, self.solved] {
+            playback.update(|playback| playback.set_motion(motion));
+        }
     }
 
     /// Lets time pass.
@@ -276,12 +288,6 @@ impl Lab {
 
     fn maze_changed(self) {
         self.borrowed.set(false);
-        // Its undo would take this change back, not the one that it speaks of.
-        if self.toast.with_untracked(|toast| {
-            toast.as_ref().is_some_and(|toast| toast.action == Some(ToastAction::Undo))
-        }) {
-            self.toast.set(None);
-        }
         self.rewind();
     }
 
@@ -325,11 +331,6 @@ impl Lab {
         self.solved.update(Playback::rewind);
         self.round.set(Round::Solved);
         self.play(Command::Toggle);
-    }
-
-    /// Says something at the lower edge.
-    pub fn say(self, tone: ToastTone, title: impl Into<String>, text: impl Into<String>) {
-        self.toast.set(Some(Toast { title: title.into(), text: text.into(), tone, action: None }));
     }
 
     /// The drawing's name of the bot's north.

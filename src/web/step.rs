@@ -78,7 +78,7 @@ pub fn StageBar(children: Children) -> impl IntoView {
     view! {
         <div class="bar">
             <b>{title}</b>
-            <span class="hide-s">{size}</span>
+            <span class="hide-s size">{size}</span>
             <span class="spacer"></span>
             {children()}
             <button

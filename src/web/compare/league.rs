@@ -81,14 +81,13 @@ impl LeagueDesk {
     pub fn begin(self) {
         let made = self.generate.get_untracked().then(|| self.made.get_untracked());
         if let Some(Err(why)) = made.map(Made::checked) {
-            return self.lab.say(ToastTone::Error, "No such mazes", why.to_string());
+            let unmade = move || self.generate.get() && self.made.get().checked().is_err();
+            return self.lab.say_while(ToastTone::Error, "No such mazes", why.to_string(), unmade);
         }
         if self.chosen.with_untracked(Vec::is_empty) || untrack(|| self.courses()) == 0 {
-            return self.lab.say(
-                ToastTone::Error,
-                "An empty league",
-                "Choose an explorer and some mazes first.",
-            );
+            let empty = move || self.chosen.with(Vec::is_empty) || self.courses() == 0;
+            let cure = "Choose an explorer and some mazes first.";
+            return self.lab.say_while(ToastTone::Error, "An empty league", cure, empty);
         }
         self.refused.set(Vec::new());
         self.shown.set(None);

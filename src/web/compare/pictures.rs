@@ -1,6 +1,7 @@
 //! Small pictures of all runs at the same moment, and where they part.
 
 use crate::web::erase::{mouse, part, sig};
+use leptos::html;
 use leptos::prelude::*;
 
 use super::desk::{Desk, Field, desk};
@@ -11,22 +12,22 @@ use crate::compare::forks::{Fork, letter};
 use crate::compare::words;
 use crate::explorer::name::Name;
 use crate::geometry::{Heading, Point};
-use crate::maze::Kind;
+use crate::maze::{Bounds, Kind};
+use crate::playback::Motion;
 use crate::scene::Pose;
-use crate::web::maze_view::Bot;
+use crate::web::maze_view::{Bot, FAR, size_of};
 use crate::web::paths::{self, UNIT};
 use crate::web::step::walled;
+use crate::web::viewport::Size;
 use crate::web::{browser, icons};
-
-/// About as many pixels wide is a picture.
-const PIXELS: f64 = 340.0;
 
 /// The pictures.
 #[component]
 pub fn Pictures() -> impl IntoView {
     let desk = desk();
-    let cross = |x: i32, y: i32| format!("M{} {}l16 16m0-16l-16 16", x - 8, y - 8);
-    let marks = [(20, 40), (60, 40), (40, 20), (40, 60)].map(|(x, y)| cross(x, y)).join("");
+    // Those of the cells across begin beside the stroke.
+    let cross = |x: i32, y: i32| format!("M{} {}l14 14m0-14l-14 14", x - 7, y - 7);
+    let marks = [(15, 40), (65, 40), (40, 15), (40, 65)].map(|(x, y)| cross(x, y)).join("");
     view! {
         <svg class="vh maze" aria-hidden="true">
             <defs><pattern id="small-crosses" width=UNIT height=UNIT x=-UNIT / 2 y=-UNIT / 2 patternUnits="userSpaceOnUse">
@@ -56,12 +57,18 @@ pub fn called(desk: Desk, name: Name) -> String {
 #[component]
 fn Picture(nth: usize, name: Name) -> impl IntoView {
     let desk = desk();
-    let still = browser::reduced_motion();
+    let frame = NodeRef::<html::Div>::new();
+    let size = size_of(frame);
+    let view = Memo::new(move |_| {
+        let size = size.get();
+        desk.lab.maze.with(|maze| View::of(maze.bounds(), maze.kind, size, browser::scaled_px()))
+    });
+    let pixel = Memo::new(move |_| view.get().pixel);
     let position = Memo::new(move |_| {
         let clock = desk.clock();
         desk.field.with(|field| {
             let position = field.position(nth, clock)?;
-            if !still || position.along == 0.0 {
+            if desk.lab.motion.get() == Motion::Smooth || position.along == 0.0 {
                 return Some(position);
             }
             // Without motion, the robot stands where it stopped last.
@@ -98,41 +105,58 @@ fn Picture(nth: usize, name: Name) -> impl IntoView {
                 <button class="btn icon quiet" aria-label=format!("Open {} in Step, at this moment", letter(nth)) title="Open in Step, at this moment"
                     on:click=mouse(move |_| open_in_stepper(desk.lab, name, stop.get_untracked()))>{icons::open()}</button>
             </h2>
-            <svg class="maze" class:walls=sig(move || desk.lab.maze.with(|maze| maze.kind == Kind::Wall)) viewBox=sig(move || view_box(desk)) role="img" aria-label=sig(label)>
+            <div class="floor" node_ref=frame class:far=sig(move || pixel.get() > FAR) style:--px=sig(move || format!("{:.3}", pixel.get()))>
+            <svg class="maze" class:walls=sig(move || desk.lab.maze.with(|maze| maze.kind == Kind::Wall)) viewBox=sig(move || view.get().view_box()) role="img" aria-label=sig(label)>
                 <path class="solid" d=sig(move || desk.lab.maze.with(|maze| walled::solid(maze, None))) />
                 <path class="tape" d=sig(move || tape(desk)) />
                 <path class="remembered" d=sig(move || trail(desk, nth, stop.get(), Shown::Driven)) />
                 <path class="crossed" stroke="url(#small-crosses)" d=sig(move || trail(desk, nth, stop.get(), Shown::Crossed)) />
                 <path class="remembered" d=sig(move || driving(desk, nth, position.get())) />
-                {part(move || ends(desk))}
-                {part(move || desk.field.with(|field| shown_fork(desk, field).map(|fork| fork_mark(fork, nth))))}
+                {part(move || ends(desk, pixel.get()))}
+                {part(move || desk.field.with(|field| shown_fork(desk, field).map(|fork| fork_mark(fork, nth, pixel.get()))))}
                 {part(move || position.get().is_some().then(|| view! {
-                    <Bot pose=sig(move || position.get().map_or(Pose { x: 0.0, y: 0.0, degrees: 0.0 }, |at| at.pose)) pixel=sig(move || pixel(desk)) />
+                    <Bot pose=sig(move || position.get().map_or(Pose { x: 0.0, y: 0.0, degrees: 0.0 }, |at| at.pose)) pixel=pixel />
                 }))}
             </svg>
+            </div>
             <p class="say">{part(move || missing().unwrap_or_else(|| told.get()))}</p>
         </article>
     }
 }
 
-/// The whole lattice, and a little room.
-fn view_box(desk: Desk) -> String {
-    desk.lab.maze.with(|maze| {
-        let bounds = maze.bounds();
-        let (sw, ne) = (bounds.sw(), bounds.ne());
-        let (w, h) = ((ne.x - sw.x) * UNIT, (ne.y - sw.y) * UNIT);
-        // Walls stand half a cell further out.
-        let walls = if maze.kind == Kind::Wall { UNIT / 2 } else { 0 };
-        let margin = 36 + w.max(h) / 40 + walls;
-        format!("{} {} {} {}", sw.x * UNIT - margin, -ne.y * UNIT - margin, w + 2 * margin, h + 2 * margin)
-    })
+/// What a picture shows: the whole lattice, and room for a robot at its edge.
+#[derive(Clone, Copy, Default, PartialEq)]
+struct View {
+    /// Left, top, width and height in picture units.
+    shown: [f64; 4],
+    /// Picture units that look like one pixel at the browser's usual font size.
+    pixel: f64,
 }
 
-/// Picture units a pixel, about.
-fn pixel(desk: Desk) -> f64 {
-    desk.lab
-        .maze
-        .with(|maze| f64::from(maze.bounds().width().max(maze.bounds().height())) * f64::from(UNIT) / PIXELS)
+impl View {
+    /// In a picture of this size.
+    fn of(bounds: Bounds, kind: Kind, size: Size, px: f64) -> Self {
+        const LEAST: f64 = 36.0;
+        const ROBOT_PX: f64 = 22.0;
+        // Walls stand half a cell further out.
+        let walls = if kind == Kind::Wall { f64::from(UNIT) / 2.0 } else { 0.0 };
+        let [x, y, w, h] = {
+            let (sw, ne) = (bounds.sw(), bounds.ne());
+            [sw.x, -ne.y, ne.x - sw.x, ne.y - sw.y].map(|at| f64::from(at * UNIT))
+        };
+        let (w, h) = (w + 2.0 * walls, h + 2.0 * walls);
+        let fit = |margin: f64, around_px: f64| {
+            let units = |side: f64, px: f64| (side + 2.0 * margin) / (px - 2.0 * around_px).max(1.0);
+            units(w, size.w).max(units(h, size.h))
+        };
+        let margin = LEAST.max(fit(0.0, ROBOT_PX * px) * ROBOT_PX * px);
+        let out = margin + walls;
+        Self { shown: [x - out, y - out, w + 2.0 * margin, h + 2.0 * margin], pixel: fit(margin, 0.0) * px }
+    }
+
+    fn view_box(self) -> String {
+        self.shown.map(|side| format!("{side:.1}")).join(" ")
+    }
 }
 
 fn tape(desk: Desk) -> String {
@@ -168,8 +192,8 @@ fn driving(desk: Desk, nth: usize, position: Option<Position>) -> String {
     })
 }
 
-fn ends(desk: Desk) -> impl IntoView {
-    let size = 1.0 + pixel(desk) / 4.0;
+fn ends(desk: Desk, pixel: f64) -> impl IntoView {
+    let size = 1.0 + pixel / 4.0;
     desk.lab.maze.with(|maze| {
         let at = |point: Point| format!("translate({} {}) scale({size:.2})", point.x * UNIT, -point.y * UNIT);
         let finish = maze.finish().iter().map(|&point| {
@@ -188,15 +212,15 @@ fn shown_fork(desk: Desk, field: &Field) -> Option<&Fork> {
 }
 
 /// The diamond, and where this run goes on to.
-fn fork_mark(fork: &Fork, nth: usize) -> impl IntoView + use<> {
+fn fork_mark(fork: &Fork, nth: usize, pixel: f64) -> impl IntoView + use<> {
     let side = fork.sides.iter().find(|(who, _)| *who == nth).map(|(_, side)| *side);
-    let (x, y) = (fork.at.x * UNIT, -fork.at.y * UNIT);
+    let (x, y, size) = (fork.at.x * UNIT, -fork.at.y * UNIT, (pixel * 0.45).max(1.0));
     let arrow = side.and_then(|side| side.leaves).map(|heading: Heading| {
         let turn = format!("rotate({})", u32::from(heading.index()) * 90);
         view! { <path class="went" transform=turn d="M0-26v-26m-13 13l13-14 13 14" /> }
     });
     side.map(|_| {
-        view! { <g class="fork" transform=format!("translate({x} {y})")><path class="diamond" d="M0-24L24 0 0 24-24 0z" />{arrow}</g> }
+        view! { <g class="fork" transform=format!("translate({x} {y}) scale({size:.2})")><path class="diamond" d="M0-24L24 0 0 24-24 0z" />{arrow}</g> }
     })
 }
 

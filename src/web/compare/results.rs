@@ -52,8 +52,8 @@ pub fn Results() -> impl IntoView {
                 <button class="btn" on:click=mouse(move |_| desk.lab.dialog.set(Some(Dialog::Lineup)))>
                     {part(move || format!("{} explorers…", desk.names.with(Vec::len)))}
                 </button>
-                <button class="btn hide-s" title="Speed and seconds for turns and stops" on:click=mouse(move |_| desk.lab.dialog.set(Some(Dialog::Settings)))>"Cost model…"</button>
-                <button class="btn hide-s" aria-label="Save the table as CSV" on:click=mouse(move |_| save(desk))>"CSV"</button>
+                <button class="btn" title="Speed and seconds for turns and stops" on:click=mouse(move |_| desk.lab.dialog.set(Some(Dialog::Settings)))>"Cost model…"</button>
+                <button class="btn" aria-label="Save the table as CSV" on:click=mouse(move |_| save(desk))>"CSV"</button>
             </h2>
             <div class="scroll">
                 <table class="sort">
@@ -142,7 +142,7 @@ fn rows(desk: Desk, field: &Field) -> String {
         match racer {
             Ok(racer) => push_numbers(&mut markup, &racer.entrant.score),
             Err(why) => {
-                let _ = write!(markup, "<td colspan=\"9\">{}</td>", escaped(why));
+                let _ = write!(markup, "<td colspan=\"9\"><p class=\"why\">{}</p></td>", escaped(why));
             }
         }
         markup.push_str("</tr>");

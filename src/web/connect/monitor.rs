@@ -13,12 +13,12 @@ use crate::link::sieve::Sieve;
 use crate::web::state::{ToastTone, lab};
 use crate::web::{browser, icons};
 
-/// The height of a line in pixels; the style sheet says the same.
-const LINE: f64 = 22.0;
+/// The height of a line in rem; the style sheet says the same.
+const LINE: f64 = 1.375;
 /// Lines that are made beyond those in sight.
 const SPARE: usize = 4;
 
-/// What is in sight.
+/// What is in sight, in rem.
 #[derive(Clone, Copy, PartialEq)]
 struct Sight {
     top: f64,
@@ -32,7 +32,7 @@ struct Sight {
 pub fn MonitorCard() -> impl IntoView {
     let (lab, wire) = (lab(), wire());
     let scroller = NodeRef::<html::Div>::new();
-    let sight = RwSignal::new(Sight { top: 0.0, height: 320.0, follows: true });
+    let sight = RwSignal::new(Sight { top: 0.0, height: 20.0, follows: true });
     let (show, letters, paused) =
         (RwSignal::new(Show::All), RwSignal::new(String::new()), RwSignal::new(false));
     let sieve = StoredValue::new(Sieve::default());
@@ -57,10 +57,12 @@ pub fn MonitorCard() -> impl IntoView {
     });
     let on_scroll = move |_| {
         if let Some(div) = scroller.get_untracked() {
-            let (top, height) = (f64::from(div.scroll_top()), f64::from(div.client_height()));
+            let rem = browser::rem_px();
+            let [top, height, all] =
+                [div.scroll_top(), div.client_height(), div.scroll_height()].map(|px| f64::from(px) / rem);
             let before = sight.get_untracked();
             // Lines may have come since it was scrolled down: only who scrolls up lets the newest go.
-            let down = top + height + LINE >= f64::from(div.scroll_height());
+            let down = top + height + LINE >= all;
             let follows = down || before.follows && top >= before.top;
             sight.set(Sight { top, height, follows });
         }
@@ -71,8 +73,8 @@ pub fn MonitorCard() -> impl IntoView {
         if sight.get_untracked().follows
             && let Some(div) = scroller.get()
         {
-            let height = f64::from(div.client_height());
-            if (sight.get_untracked().height - height).abs() > 1.0 {
+            let height = f64::from(div.client_height()) / browser::rem_px();
+            if (sight.get_untracked().height - height).abs() > 0.06 {
                 sight.update(|sight| sight.height = height);
             }
             // Once the lines are there.
@@ -172,7 +174,7 @@ fn gap(lines: usize) -> String {
         return String::new();
     }
     let height = lines as f64 * LINE;
-    format!("<li class=\"gap\" aria-hidden=\"true\"><svg width=\"1\" height=\"{height}\"></svg></li>")
+    format!("<li class=\"gap\" aria-hidden=\"true\"><svg width=\"1\" height=\"{height}rem\"></svg></li>")
 }
 
 fn push_line(markup: &mut String, monitor: &Monitor, number: u64, line: &LogLine) {

@@ -3,7 +3,7 @@
 use crate::web::erase::{mouse, part, sig};
 use leptos::prelude::*;
 
-use super::desk::{Desk, desk, many, say_done};
+use super::desk::{Desk, desk, many};
 use crate::maze::Kind;
 use crate::maze::checks::{Finding, InOrder, Report, Severity};
 use crate::maze::edit::Edit;
@@ -99,7 +99,7 @@ fn erase(desk: Desk, cells: &[(crate::geometry::Point, crate::geometry::Heading)
             Kind::Line => format!("{} erased.", many(cells.len(), "cell")),
             Kind::Wall => format!("{} built.", many(cells.len(), "wall")),
         };
-        say_done(desk.lab, said);
+        desk.lab.say_done(said);
     }
 }
 

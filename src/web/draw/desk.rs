@@ -10,7 +10,7 @@ use crate::maze::checks::{self, Finding, Report};
 use crate::maze::edit::Edit;
 use crate::maze::{Kind, Maze, Start};
 use crate::web::maze_view::{Camera, size_of};
-use crate::web::state::{Lab, Toast, ToastAction, ToastTone};
+use crate::web::state::Lab;
 
 /// The state of the room; cheap to copy, reached by [`desk`].
 #[derive(Clone, Copy)]
@@ -175,16 +175,6 @@ impl Desk {
         self.wanted.set(None);
         shown
     }
-}
-
-/// Says that something was done which can be taken back.
-pub fn say_done(lab: Lab, text: String) {
-    lab.toast.set(Some(Toast {
-        title: String::new(),
-        text,
-        tone: ToastTone::Info,
-        action: Some(ToastAction::Undo),
-    }));
 }
 
 /// `1 cell`, `3 cells`.

@@ -4,7 +4,7 @@ use crate::web::erase::{event, mouse, part, sig};
 use leptos::html;
 use leptos::prelude::*;
 
-use super::desk::{desk, many, say_done};
+use super::desk::{desk, many};
 use super::sizes::KindChoice;
 use super::thumb::thumb;
 use crate::maze::generate::{Recipe, generate};
@@ -31,7 +31,7 @@ pub fn Generator() -> impl IntoView {
     let take = move |_| {
         if let Ok(maze) = made.get_untracked() {
             lab.open((*maze).clone());
-            say_done(lab, format!("{} is open.", maze.about.title));
+            lab.say_done(format!("{} is open.", maze.about.title));
             close();
         }
     };

@@ -4,7 +4,6 @@ use crate::web::erase::{sig, submit};
 use leptos::html;
 use leptos::prelude::*;
 
-use super::desk::say_done;
 use crate::maze::file;
 use crate::web::dialogs::Modal;
 use crate::web::opening;
@@ -28,7 +27,7 @@ pub fn Paste() -> impl IntoView {
                 lab.dialog.set(None);
                 lab.broken_link.set(None);
                 lab.open(maze);
-                say_done(lab, "The pasted maze is open.".to_owned());
+                lab.say_done("The pasted maze is open.");
             }
             Err(why) => wrong.set(why.to_string()),
         }

@@ -3,7 +3,6 @@
 use crate::web::erase::mouse;
 use leptos::prelude::*;
 
-use super::desk::say_done;
 use super::thumb::thumb;
 use crate::maze::samples::{SAMPLES, Sample};
 use crate::web::dialogs::Modal;
@@ -41,7 +40,7 @@ fn open(lab: Lab, sample: &Sample) {
     let maze = sample.maze();
     let title = maze.about.title.clone();
     lab.open(maze);
-    say_done(lab, format!("{title} is open."));
+    lab.say_done(format!("{title} is open."));
 }
 
 /// All samples with title and note.

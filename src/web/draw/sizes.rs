@@ -3,7 +3,7 @@
 use crate::web::erase::{mouse, sig, submit};
 use leptos::prelude::*;
 
-use super::desk::{many, say_done};
+use super::desk::many;
 use crate::geometry::Point;
 use crate::maze::edit::Edit;
 use crate::maze::{Bounds, Kind, MAX_SIDE, Maze};
@@ -32,7 +32,7 @@ pub fn New() -> impl IntoView {
         if let Ok(bounds) = Bounds::new(Point::new(0, 0), ne) {
             lab.open(Maze::blank(bounds, kind.get_untracked()));
             lab.dialog.set(None);
-            say_done(lab, "A new maze is open.".to_owned());
+            lab.say_done("A new maze is open.");
         }
     };
     view! {
@@ -134,7 +134,7 @@ pub fn Resize() -> impl IntoView {
         let Some(after) = after.get_untracked().filter(|_| !browser::has_wrong_field(&event)) else { return };
         lab.dialog.set(None);
         if lab.edit(Edit::Bounds(after)) {
-            say_done(lab, format!("The maze has {} × {} {places} now.", after.width(), after.height()));
+            lab.say_done(format!("The maze has {} × {} {places} now.", after.width(), after.height()));
         }
     };
     let width =

@@ -1,4 +1,4 @@
-//! What can be open on the page: a room, a dialog, a message at the lower edge.
+//! What can be open on the page: a room, a dialog.
 
 /// The rooms of the lab.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -70,35 +70,4 @@ pub enum Dialog {
     Samples,
     /// Who is compared; the Compare room's own.
     Lineup,
-}
-
-/// A short message at the lower edge.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Toast {
-    /// What it is about; may be empty.
-    pub title: String,
-    /// What happened, and the cure.
-    pub text: String,
-    /// Whether it is an error.
-    pub tone: ToastTone,
-    /// What can be done at once.
-    pub action: Option<ToastAction>,
-}
-
-/// How a toast is meant.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ToastTone {
-    /// Something was done.
-    Info,
-    /// Something cannot be done.
-    Error,
-}
-
-/// A toast's button.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ToastAction {
-    /// Takes back the last edit.
-    Undo,
-    /// Uses the new version of the page.
-    Update,
 }

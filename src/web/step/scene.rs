@@ -88,6 +88,8 @@ pub fn canvas(lab: Lab, camera: Camera, frame: NodeRef<html::Div>, picture: AnyV
             class="canvas"
             node_ref=frame
             class:zoomed=sig(move || !camera.is_fitted())
+            class:far=sig(move || camera.is_far())
+            style:--px=sig(move || Decimal(camera.pixel(), 3).to_string())
             on:wheel=wheel(on_wheel)
             on:pointerdown=pointer(move |event| {
                 if !camera.is_fitted() {

@@ -14,16 +14,18 @@ use crate::trace::{Frame, Moment, Row, WayState};
 use crate::web::browser;
 use crate::web::state::{Lab, lab};
 
-/// The height of a row in pixels; the style sheet says the same.
-const ROW: f64 = 34.0;
+/// The height of a row in rem; the style sheet says the same.
+const ROW: f64 = 2.125;
 /// About the height of the head, which stays in sight.
-const HEAD: f64 = 28.0;
+const HEAD: f64 = 1.75;
 /// Rows that are made beyond those in sight.
 const SPARE: u32 = 4;
-/// What is in sight: pixels from the top, and height.
+/// What is in sight: rem from the top, and height.
 type Sight = (f64, f64);
-/// What is in sight at first, in pixels from the top and in height; a short table may grow that high.
-const AT_FIRST: Sight = (0.0, 280.0);
+/// What is in sight at first; a short table may grow that high.
+const AT_FIRST: Sight = (0.0, 17.5);
+/// All of it: paper does not scroll.
+const ALL: Sight = (0.0, 1e6);
 
 /// The card.
 #[component]
@@ -35,7 +37,7 @@ pub fn NodeTable() -> impl IntoView {
     let on_scroll = move |_| {
         // Scrolling is told later, when the table may be gone.
         if let Some(div) = scroller.try_get_untracked().flatten() {
-            let _ = scrolled.try_set((f64::from(div.scroll_top()), f64::from(div.client_height())));
+            let _ = scrolled.try_set(sight_of(&div));
         }
     };
     keep_in_sight(lab, scroller, scrolled);
@@ -79,7 +81,7 @@ fn made(lab: Lab, scrolled: RwSignal<Sight>) -> Memo<(u32, u32)> {
         (moment, (top, height))
     });
     Memo::new(move |_| {
-        let (_, (top, height)) = sight.get();
+        let (top, height) = if lab.printed.get() { ALL } else { sight.get().1 };
         let first = ((top / ROW) as u32).saturating_sub(SPARE) / SPARE * SPARE;
         (first, ((top + height.max(AT_FIRST.1)) / ROW) as u32 / SPARE * SPARE + 2 * SPARE)
     })
@@ -117,9 +119,9 @@ fn gap(rows: u32) -> String {
     if rows == 0 {
         return String::new();
     }
-    let height = rows * ROW as u32;
+    let height = f64::from(rows) * ROW;
     format!(
-        "<tr class=\"gap\" aria-hidden=\"true\"><td colspan=\"4\"><svg width=\"1\" height=\"{height}\"></svg></td></tr>"
+        "<tr class=\"gap\" aria-hidden=\"true\"><td colspan=\"4\"><svg width=\"1\" height=\"{height}rem\"></svg></td></tr>"
     )
 }
 
@@ -175,6 +177,11 @@ fn scroll_for(node: u32, (top, height): Sight) -> Option<f64> {
     (!in_sight).then(|| (row - height / 2.0).max(0.0))
 }
 
+fn sight_of(scroller: &web_sys::Element) -> Sight {
+    let rem = browser::rem_px();
+    (f64::from(scroller.scroll_top()) / rem, f64::from(scroller.client_height()) / rem)
+}
+
 /// Scrolls the table so that the node of the moment is in sight.
 fn keep_in_sight(lab: Lab, scroller: NodeRef<html::Div>, scrolled: RwSignal<Sight>) {
     Effect::new(move |_| {
@@ -185,10 +192,9 @@ fn keep_in_sight(lab: Lab, scroller: NodeRef<html::Div>, scrolled: RwSignal<Sigh
         // Once all views have followed the step: to ask for sizes earlier would lay the page out twice.
         request_animation_frame(move || {
             let Some(div) = scroller.try_get_untracked().flatten() else { return };
-            let height = f64::from(div.client_height());
-            let mut top = f64::from(div.scroll_top());
+            let (mut top, height) = sight_of(&div);
             if let Some(wanted) = scroll_for(node, (top, height)) {
-                div.set_scroll_top(wanted as i32);
+                div.set_scroll_top((wanted * browser::rem_px()) as i32);
                 top = wanted;
             }
             if scrolled.try_get_untracked().is_some_and(|known| known != (top, height)) {

@@ -12,6 +12,9 @@ use crate::web::played;
 use crate::web::state::{Lab, Round, lab};
 use crate::web::{browser, icons};
 
+/// The height of the picture of events, where one is drawn at the browser's usual font size.
+const MARKS: u32 = 34;
+
 /// The whole bar.
 #[component]
 pub fn Transport() -> impl IntoView {
@@ -160,8 +163,10 @@ fn Markers(count: Memo<u32>, #[prop(into)] width: Signal<f64>) -> impl IntoView 
             (1..=count).map(|stop| (stop, line.mark(stop))).filter(worth).collect::<Vec<_>>()
         })
     });
+    // Their picture is as wide as the track, at the browser's usual font size.
+    let wide = move || width.get() / browser::scaled_px();
     let drawn = move || {
-        let a_stop = width.get() / f64::from(count.get().max(1));
+        let a_stop = wide() / f64::from(count.get().max(1));
         let kinds = [Mark::Known, Mark::Node, Mark::DeadEnd, Mark::Unknown, Mark::End];
         kinds.map(|kind| {
             let stops = marks.with(|marks| {
@@ -175,7 +180,10 @@ fn Markers(count: Memo<u32>, #[prop(into)] width: Signal<f64>) -> impl IntoView 
             view! { <path class=class d=data /> }
         })
     };
-    view! { <svg aria-hidden="true">{part(move || drawn().into_iter().collect_view())}</svg> }
+    let view_box = move || format!("0 0 {} {MARKS}", Decimal(wide().max(1.0), 1));
+    view! {
+        <svg aria-hidden="true" viewBox=sig(view_box) preserveAspectRatio="none">{part(move || drawn().into_iter().collect_view())}</svg>
+    }
 }
 
 /// The class of a kind of marker, and its path from the middle of its upper edge.

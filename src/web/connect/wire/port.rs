@@ -23,7 +23,7 @@ impl Wire {
                 Err(why) => {
                     if why == NotChosen::Forbidden {
                         let trouble = Trouble::Open(OpenError::Policy);
-                        self.lab.say(ToastTone::Error, trouble.cause(), trouble.cure());
+                        self.say_while_off(trouble.cause(), trouble.cure());
                     }
                     self.happened(PortEvent::Cancelled);
                 }
@@ -65,10 +65,15 @@ impl Wire {
             Some(Err(why)) => {
                 self.happened(PortEvent::Gone);
                 self.command(Command::Disconnect);
-                self.lab.say(ToastTone::Error, "The demo robot can’t start", why);
+                self.say_while_off("The demo robot can’t start", why);
             }
             None => {}
         }
+    }
+
+    /// Why there is no connection, until there is one.
+    fn say_while_off(self, cause: impl Into<String>, cure: impl Into<String>) {
+        self.lab.say_while(ToastTone::Error, cause, cure, move || !self.look(Link::is_open));
     }
 
     fn heard(self, told: Told) {
