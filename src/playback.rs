@@ -202,7 +202,7 @@ impl Playback {
         match (motion, self.going) {
             (Motion::Smooth, _) => {}
             (Motion::Reduced, Going::On { to }) => self.jump(to),
-            (Motion::Reduced, Going::Home) => self.jump(self.moment),
+            (Motion::Reduced, Going::Home { .. }) => self.jump(self.moment),
             // It waits at the stop that the words show, or goes on from there.
             (Motion::Reduced, Going::Still | Going::Playing { .. }) => self.along = 0.0,
         }

@@ -11,6 +11,7 @@ mod everyone;
 mod figure_3_1;
 mod files;
 mod habits;
+mod look;
 mod offline;
 mod others;
 mod serial;
