@@ -287,3 +287,46 @@ async fn a_trail_is_seen_in_the_largest_maze() -> Result<()> {
     })
     .await
 }
+
+#[tokio::test]
+async fn paper_is_light_and_shows_all_of_it_and_no_buttons() -> Result<()> {
+    for room in ["step", "draw", "compare"] {
+        lab(Setup::default().media("prefers-color-scheme", "dark").at(room), async |page| {
+            page.wait_for("main.main").await?;
+            page.wait_until("document.documentElement.dataset.theme === 'dark'").await?;
+            if room == "step" {
+                page.press_times("PageDown", 13).await?;
+                page.wait_for_text("#count", "stop 13 /").await?;
+            }
+            let paper = json!({ "media": "print", "features": [{ "name": "prefers-color-scheme", "value": "dark" }] });
+            page.tools("Emulation.setEmulatedMedia", paper).await?;
+            // A sheet of A4 without its margins.
+            resize(page, 703, 1031).await?;
+            page.wait_until("getComputedStyle(document.body).backgroundColor === 'rgb(255, 255, 255)'").await?;
+            let seen = "[...document.querySelectorAll('header, footer, .zoom, .tools, main .btn, main .seg')]
+                .filter((element) => element.checkVisibility()).map((element) => element.outerHTML.slice(0, 80)).join(' ')";
+            assert_eq!(page.eval(seen).await?, "", "{room} prints what can only be pressed");
+            let cut = "[...document.querySelectorAll('main, main .card, main .stage, main .scroll, main .code')]
+                .filter((box) => box.checkVisibility() && (box.scrollHeight > box.clientHeight + 1 || box.scrollWidth > box.clientWidth + 1)
+                    && getComputedStyle(box).overflow !== 'visible')
+                .map((box) => box.className).join(' ')";
+            assert_eq!(page.eval(cut).await?, "", "{room} is cut");
+            page.wait_until("document.documentElement.scrollWidth <= 703").await?;
+            page.screenshot(&format!("paper-{room}")).await
+        })
+        .await?;
+    }
+    Ok(())
+}
+
+#[tokio::test]
+async fn a_long_table_is_whole_on_paper() -> Result<()> {
+    lab(Setup::default(), async |page| {
+        page.paste(include_str!("../../../../mazes/sixty-one-nodes.maze")).await?;
+        page.press("End").await?;
+        page.wait_for(".nodes tr[data-node]").await?;
+        page.tools("Emulation.setEmulatedMedia", json!({ "media": "print" })).await?;
+        page.wait_until("!document.querySelector('.nodes .gap') && document.querySelectorAll('.nodes tr[data-node]').length > 1").await
+    })
+    .await
+}
