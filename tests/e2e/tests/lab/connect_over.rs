@@ -152,7 +152,8 @@ async fn a_robot_that_drives_is_stopped_from_any_room_that_shows_its_run() -> Re
         drive(page).await?;
         // First in the order of Tab, and in every room.
         page.wait_for(STOP).await?;
-        let first = "document.querySelector('button, a[href], input, select, [tabindex]').id";
+        let first = "[...document.querySelectorAll('button, a[href], input, select, [tabindex]')]
+            .find((element) => element.tabIndex >= 0 && element.checkVisibility()).id";
         assert_eq!(page.eval(first).await?, json!("stop-robot"));
         page.press("2").await?;
         page.wait_for(STOP).await?;
@@ -169,7 +170,7 @@ async fn a_robot_that_drives_is_stopped_from_any_room_that_shows_its_run() -> Re
         page.click_css("#stop-robot").await?;
         page.wait_for_text(".note.guest", "stopped by hand").await?;
         page.wait_for_no(STOP).await?;
-        // By keys, on the projector; the focus stays in the footer.
+        // By keys, on the projector; the focus goes back into the room.
         page.press("4").await?;
         drive(page).await?;
         page.press("p").await?;
@@ -178,7 +179,7 @@ async fn a_robot_that_drives_is_stopped_from_any_room_that_shows_its_run() -> Re
         page.run("document.querySelector('#stop-robot').focus()").await?;
         page.press("Enter").await?;
         page.wait_for_no(STOP).await?;
-        assert_eq!(page.eval("document.activeElement.className").await?, json!("play"));
+        page.wait_until("document.activeElement.closest('main, footer')").await?;
         page.press("4").await?;
         state(page, "ready").await
     })
