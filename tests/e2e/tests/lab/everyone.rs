@@ -338,7 +338,7 @@ async fn a_screen_reader_hears_every_stop() -> Result<()> {
             before = now;
         }
         let picture = page.attribute("svg.maze[data-stop]", "aria-label").await?;
-        assert_eq!(picture, "Maze at stop 5 of 25: the bot is at 6,5; 0 cells are crossed out");
+        assert_eq!(picture, "Maze at stop 5 of 25: the bot is at 6,5, facing south; 0 cells are crossed out");
         assert_eq!(page.attribute("[role=slider]", "aria-valuetext").await?, "stop 5: corner");
         Ok(())
     })
