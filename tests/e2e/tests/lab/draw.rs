@@ -184,7 +184,7 @@ async fn start_and_finish_are_dragged_and_turned() -> Result<()> {
         page.press("t").await?;
         page.wait_for_text(".checks", "Turn it").await?;
         assert_eq!(start().await?, "7,0 north");
-        page.click("Turn it").await?;
+        page.click("Turn it west").await?;
         assert_eq!(start().await?, "7,0 west");
         // By its handle, with any tool.
         page.click("Line").await?;
