@@ -236,6 +236,24 @@ fn a_robot_that_was_lost_while_it_drove_is_told_to_stop_first() {
     assert_eq!(stops(&bench.sent(before)), 0);
 }
 
+/// What is left for somebody's hands is told last, whichever answer comes first.
+#[test]
+fn a_robot_that_is_back_is_to_be_put_at_the_start() {
+    for opening in [Opening::Resets, Opening::Leaves] {
+        let mut bench = Bench::ready();
+        bench.opening = opening;
+        bench.explore();
+        bench.wait(2_000);
+        bench.unplug();
+        bench.wait(1_500);
+        bench.plugged = true;
+        bench.until(State::Ready);
+        bench.wait(3_000);
+        assert!(told(&bench, |news| news == News::Done(Job::Stop)), "{opening:?}");
+        assert_eq!(bench.link.notes().last().unwrap().news, News::Reconnected, "{opening:?}");
+    }
+}
+
 #[test]
 fn an_alarm_ends_with_the_port() {
     let mut bench = unheard();

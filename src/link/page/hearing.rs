@@ -213,6 +213,8 @@ impl Link {
     fn answered(&mut self, tag: Option<Tag>, answer: Result<Said, Code>, now_ms: u64) {
         let fits = |pending: &mut Pending| tag == Some(pending.tag);
         let Some(Pending { job, .. }) = self.pending.take_if(fits) else { return };
+        // The page's own stop of a robot that has already been greeted again.
+        let back = job == Job::Stop && self.left == Left::Driving && self.phase == Phase::Ready;
         match (job, answer) {
             (Job::Send, answer) => return self.sent_step(answer, now_ms),
             (Job::ReadTurns, Ok(_)) => match self.take_list(now_ms) {
@@ -254,7 +256,14 @@ impl Link {
         self.rereads = 0;
         match answer {
             Ok(_) if matches!(job, Job::Run(_)) => self.note(News::Accepted(job), now_ms),
-            Ok(_) if job.is_told() => self.note(News::Done(job), now_ms),
+            Ok(_) if job.is_told() => {
+                self.note(News::Done(job), now_ms);
+                if back {
+                    // The last word is what is left to be done by hand.
+                    self.notes.retain(|note| note.news != News::Reconnected);
+                    self.note(News::Reconnected, now_ms);
+                }
+            }
             Ok(_) | Err(Code::NoList) if !job.is_told() => {}
             Err(code) => self.note(News::Refused(job, code), now_ms),
             Ok(_) => {}

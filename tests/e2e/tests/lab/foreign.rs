@@ -26,7 +26,7 @@ async fn how_a_file_was_read_is_told_and_stays() -> Result<()> {
         page.screenshot("unknown-walls").await?;
         // It speaks of this maze, and is over with it.
         page.run("document.getElementById('drawing').focus()").await?;
-        page.press("f").await?;
+        page.press("t").await?;
         page.wait_for_no(".toast").await?;
         drop_fixture(page, "begins-late.txt").await?;
         page.wait_for_text(".toast", "what stands before it was left out").await?;

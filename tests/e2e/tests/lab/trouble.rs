@@ -50,7 +50,7 @@ async fn a_broken_file_is_told_with_its_place() -> Result<()> {
         page.wait_for_text(".toast[role=alert]", "Can’t read bad.json").await?;
         assert!(page.text(".toast").await?.contains("Line 1"), "{}", page.text(".toast").await?);
         page.drop_file("picture.maze", &[0x89, b'P', b'N', b'G', 0xff]).await?;
-        page.wait_for_text(".toast[role=alert]", "not text").await?;
+        page.wait_for_text(".toast[role=alert]", "seems to be a picture").await?;
         page.drop_file("empty.maze", b"").await?;
         page.wait_for_text(".toast[role=alert]", "empty").await?;
         steps_to_the_end(page).await
